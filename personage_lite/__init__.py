@@ -1,0 +1,64 @@
+"""personage-lite: facts in, speech with a controllable personality out.
+
+>>> from personage_lite import Generator
+>>> text = Generator().generate("alice", x=2, seed=7).text
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from personage_lite.errors import DataError, PersonageError
+
+if TYPE_CHECKING:
+    from personage_lite.generator import Generator
+    from personage_lite.plan import Utterance
+    from personage_lite.realizer import Realizer
+    from personage_lite.state import ConversationState
+
+__version__ = "0.1.0"
+__all__ = [
+    "ConversationState",
+    "DataError",
+    "Generator",
+    "PersonageError",
+    "Realizer",
+    "Utterance",
+    "english",
+]
+
+
+def english() -> Realizer:
+    """Return a realizer with the shipped English grammar, for use alone.
+
+    >>> from personage_lite.realizer import Clause, NounPhrase
+    >>> english().realize(Clause("run", NounPhrase("rabbit", determiner="a")))
+    'A rabbit runs.'
+    """
+    from personage_lite.data import data_folder
+    from personage_lite.realizer import Realizer
+    from personage_lite.realizer.grammar import read_grammar
+    from personage_lite.yaml_reader import read_yaml
+
+    return Realizer(read_grammar(read_yaml(data_folder("lexicons") / "grammar.yaml")))
+
+
+def __getattr__(name: str) -> object:
+    # Imported when asked for, so that `personage_lite.errors` alone costs nothing more.
+    if name == "Generator":
+        from personage_lite.generator import Generator
+
+        return Generator
+    if name == "Utterance":
+        from personage_lite.plan import Utterance
+
+        return Utterance
+    if name == "Realizer":
+        from personage_lite.realizer import Realizer
+
+        return Realizer
+    if name == "ConversationState":
+        from personage_lite.state import ConversationState
+
+        return ConversationState
+    raise AttributeError(f"module 'personage_lite' has no attribute '{name}'")

@@ -1,0 +1,116 @@
+"""Validation of facts and lexicons beyond their form: what `personage-lite check` runs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from personage_lite.data import data_folder
+from personage_lite.errors import DataError, PersonageError, nearest
+from personage_lite.facts import Character
+from personage_lite.facts_reader import character_files, read_character
+from personage_lite.generator import DEFAULT_STYLE
+from personage_lite.lexicon import Lexicon, load_lexicon, load_style
+from personage_lite.realizer import Realizer, Sentence
+from personage_lite.sentence_planner import PRAGMATIC_MARKERS
+
+
+@dataclass(slots=True)
+class Report:
+    """What was checked, and each fault as one line."""
+
+    checked: str
+    faults: list[str] = field(default_factory=list)
+
+
+def check_all() -> Report:
+    """Check the shipped lexicons and facts."""
+    lexicons = check_lexicons(data_folder("lexicons"))
+    facts = check_facts(data_folder("facts"))
+    return Report(f"{lexicons.checked}, {facts.checked}", lexicons.faults + facts.faults)
+
+
+def check_path(path: Path) -> Report:
+    """Check a facts file, a folder of facts, or a folder of lexicons."""
+    if (path / "markers.yaml").is_file():
+        return check_lexicons(path)
+    return check_facts(path)
+
+
+def check_lexicons(folder: Path) -> Report:
+    """Load a folder of lexicons and check that its parts fit together."""
+    try:
+        lexicon = load_lexicon(folder)
+        style = load_style(folder, DEFAULT_STYLE)
+    except PersonageError as error:
+        return Report("lexicons", [str(error)])
+    report = Report(
+        f"lexicons ({len(style.parameters)} parameters, "
+        f"{sum(len(kind) for kind in lexicon.markers.values())} markers, "
+        f"{len(lexicon.adjectives)} adjectives, {len(lexicon.verbs)} verbs)"
+    )
+    needed = [operator.name for operator in PRAGMATIC_MARKERS]
+    needed += [template.parameter for template in lexicon.templates]
+    for name in dict.fromkeys(needed):
+        if name not in style.parameters:
+            remedy = nearest(name, style.parameters)
+            report.faults.append(f"{folder}: no parameter '{name}' in {style.name}; {remedy}")
+    return report
+
+
+def check_facts(place: Path) -> Report:
+    """Check facts files: their form, and what no reader of one fact alone can see."""
+    report = Report("facts")
+    try:
+        files = character_files(place)
+    except PersonageError as error:
+        report.faults.append(str(error))
+        return report
+    lexicon = load_lexicon(data_folder("lexicons"))
+    count = 0
+    for path in files.values():
+        faults: list[DataError] = []
+        try:
+            character = read_character(path, faults)
+        except PersonageError as error:
+            report.faults.append(str(error))
+            continue
+        report.faults += [str(fault) for fault in faults]
+        report.faults += [str(fault) for fault in _content_faults(character, lexicon)]
+        count += len(character.facts)
+    report.checked = f"facts ({len(files)} characters, {count} facts)"
+    return report
+
+
+def _content_faults(character: Character, lexicon: Lexicon) -> list[DataError]:
+    """Find facts said twice, facts that contradict each other, and relations said twice."""
+    faults = []
+    seen: dict[object, tuple[bool, str]] = {}
+    for fact in character.facts:
+        key = replace(fact.clause, negated=False, negator="not")
+        if key in seen:
+            negated, other = seen[key]
+            what = "says the same as" if negated == fact.clause.negated else "contradicts"
+            faults.append(
+                DataError(
+                    character.file,
+                    fact.line,
+                    f"'{fact.id}' {what} '{other}'",
+                    "remove one of the two",
+                )
+            )
+        seen[key] = (fact.clause.negated, fact.id)
+        text = Realizer(lexicon.grammar).realize(Sentence(fact.clause))
+        if "  " in text or " ," in text:
+            faults.append(
+                DataError(character.file, fact.line, f"'{fact.id}' reads: {text}", "mend its words")
+            )
+    pairs: set[tuple[str, str, str]] = set()
+    for relation in character.relations:
+        pair = (relation.kind, relation.nucleus, relation.satellite)
+        if pair in pairs:
+            faults.append(
+                DataError(character.file, relation.line, f"a second {pair[0]}", "remove it")
+            )
+        pairs.add(pair)
+    return faults

@@ -1,0 +1,154 @@
+"""The pipeline: facts and X to a styled utterance (the paper, section IV-C).
+
+Generation is a pure function of the request, the seed and the conversation's state.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+from personage_lite.content_planner import plan_content
+from personage_lite.data import data_folder
+from personage_lite.errors import PersonageError
+from personage_lite.facts import Character
+from personage_lite.facts_reader import character_files, find_character, identifier
+from personage_lite.lexicon import RATINGS, Lexicon, Rating, load_lexicon, load_style
+from personage_lite.operators import Operator, Turn
+from personage_lite.plan import SentencePlan, Utterance
+from personage_lite.randomness import Draws
+from personage_lite.realizer import Realizer
+from personage_lite.sentence_planner import PRAGMATIC_MARKERS, plan_sentences
+from personage_lite.sentence_planner.assembly import assemble
+from personage_lite.state import ConversationState
+from personage_lite.style import check_overrides, check_x
+
+DEFAULT_STYLE = "extraversion-v1"
+_NEW_CONVERSATION = ConversationState()
+
+
+class Generator:
+    """Says facts with a personality.
+
+    >>> Generator().generate("alice", x=2, seed=7).character
+    'alice'
+
+    `facts` and `lexicons` are paths of the user's own data; `style` is the name of a style file
+    in `lexicons`; `operators` are the pragmatic markers in the order in which they are offered.
+    Raises `PersonageError` (often `DataError`, with file and line) for faults in the data.
+    """
+
+    def __init__(
+        self,
+        facts: Path | str | None = None,
+        lexicons: Path | str | None = None,
+        style: str = DEFAULT_STYLE,
+        operators: Sequence[Operator] = PRAGMATIC_MARKERS,
+    ) -> None:
+        self._facts = data_folder("facts") if facts is None else Path(facts)
+        folder = data_folder("lexicons") if lexicons is None else Path(lexicons)
+        self.lexicon: Lexicon = load_lexicon(folder)
+        self.style = load_style(folder, style)
+        self.realizer = Realizer(self.lexicon.grammar)
+        self._operators = tuple(operators)
+        self._characters: dict[str, Character] = {}
+
+    def character(self, name: str) -> Character:
+        """Return a character by id or name, reading its file the first time it is asked for."""
+        key = identifier(name)
+        if key not in self._characters:
+            self._characters[key] = find_character(name, self._facts)
+        return self._characters[key]
+
+    def characters(self) -> list[Character]:
+        """Return all characters that can be talked about, by id."""
+        return [self.character(key) for key in character_files(self._facts)]
+
+    def generate(
+        self,
+        character: str,
+        x: float = 0.0,
+        seed: int = 0,
+        *,
+        state: ConversationState = _NEW_CONVERSATION,
+        overrides: Mapping[str, float] | None = None,
+        rating: Rating = "mild",
+        trace: bool = False,
+    ) -> Utterance:
+        """Return one utterance about a character at extraversion X in [-2, 2].
+
+        `state` is the conversation so far: pass `utterance.state` to go on. `overrides` sets
+        parameters to values in [0, 1]; `rating` says which expletives are allowed; `trace` adds
+        each rewrite's text before and after to the decisions.
+
+        >>> generator = Generator()
+        >>> one = generator.generate("alice", x=-1, seed=3)
+        >>> two = generator.generate("alice", x=-1, seed=3, state=one.state)
+        >>> set(one.facts) & set(two.facts)
+        set()
+        """
+        about = self.character(character)
+        x = check_x(x)
+        if rating not in RATINGS:
+            raise PersonageError(f"no rating '{rating}'; choose from: {', '.join(RATINGS)}")
+        draws = Draws(seed, state.turn)
+        fixed = check_overrides(self.style, overrides) if overrides else None
+        parameters = self.style.values(x, draws, fixed)
+        show = self._show if trace else None
+        turn = Turn(parameters, draws, x, state, rating, self.lexicon, show)
+
+        content, decisions = plan_content(about, turn)
+        planned = plan_sentences(content, about, turn, self._operators)
+        text = " ".join(self.realizer.realize(sentence) for sentence in planned.sentences)
+
+        opened = {d.operator for d in decisions if d.status == "applied"}
+        after = state.after(
+            about.entity.id,
+            planned.facts,
+            planned.markers | opened,
+            planned.mentioned,
+            planned.focus,
+            planned.focus_subject,
+        )
+        return Utterance(
+            text=text,
+            character=about.entity.id,
+            x=x,
+            seed=seed,
+            turn=state.turn,
+            facts=planned.facts,
+            parameters=parameters,
+            decisions=(*decisions, *planned.decisions),
+            plan=content,
+            sentences=planned.sentences,
+            state=after,
+        )
+
+    def turns(
+        self,
+        character: str,
+        x: float = 0.0,
+        seed: int = 0,
+        *,
+        count: int,
+        state: ConversationState = _NEW_CONVERSATION,
+        overrides: Mapping[str, float] | None = None,
+        rating: Rating = "mild",
+        trace: bool = False,
+    ) -> Iterator[Utterance]:
+        """Yield `count` successive turns about a character; no fact returns before all are told."""
+        for _ in range(count):
+            utterance = self.generate(
+                character,
+                x,
+                seed,
+                state=state,
+                overrides=overrides,
+                rating=rating,
+                trace=trace,
+            )
+            state = utterance.state
+            yield utterance
+
+    def _show(self, plan: SentencePlan) -> str:
+        return self.realizer.realize(assemble(plan))

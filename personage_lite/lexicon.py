@@ -1,0 +1,249 @@
+"""The lexicon: markers, templates and synonyms, read from `lexicons/` and never changed.
+
+Whoever adds a hedge or a synonym edits the YAML; the code knows operators, not words.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal, TypeAlias
+
+from personage_lite.facts import POLARITIES
+from personage_lite.realizer.grammar import Grammar, read_grammar
+from personage_lite.style import Style, read_style
+from personage_lite.yaml_reader import Node, read_yaml
+
+PLACES: tuple[str, ...] = (
+    "degree",
+    "middle",
+    "pause",
+    "lead",
+    "end",
+    "quantity",
+    "opener",
+    "utterance",
+    "sentence",
+    "question",
+    "answer",
+    "connective",
+)
+ATTACHMENTS: tuple[str, ...] = ("coordinate", "subordinate", "fronted", "connective")
+RATINGS: tuple[str, ...] = ("clean", "mild", "strong")
+Rating: TypeAlias = Literal["clean", "mild", "strong"]
+TOPIC = "{topic}"
+
+
+@dataclass(frozen=True, slots=True)
+class Marker:
+    """Words that an operator can insert, and where they can stand.
+
+    `lean` in [-1, 1] says who uses them, introverts (-1) or extraverts (1). For cue words,
+    `attach` is how they join, `role` which side they introduce, and `own_subject` keeps the
+    subject of the joined clause from being left out. `verbs`, if any, are the only ones that the
+    marker goes with.
+    """
+
+    text: str
+    place: str = ""
+    after: str = ""
+    lean: float = 0.0
+    weight: float = 1.0
+    attach: str = ""
+    role: str = ""
+    own_subject: bool = False
+    verbs: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Template:
+    """A syntactic frame for a proposition; see lexicons/templates.yaml for the fields."""
+
+    name: str
+    parameter: str
+    form: str
+    lead: str
+    complementizer: str
+    polarity: str
+    connotation: str
+    lean: float
+    weight: float
+    inner_tag: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Word:
+    """One word for a concept: how common (0-1), how strong (0-1), how positive (-1 to 1)."""
+
+    text: str
+    particle: str = ""
+    frequency: float = 0.5
+    strength: float = 0.5
+    emotion: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Concept:
+    """What a fact names and the words that can say it.
+
+    `antonyms` are words whose negation says the same ("isn't dull" for imaginative). An
+    adjective that is not gradable takes no "somewhat" or "so".
+    """
+
+    name: str
+    words: tuple[Word, ...]
+    antonyms: tuple[str, ...] = ()
+    gradable: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Lexicon:
+    """All words that generation can choose from; read-only, threads may share it."""
+
+    markers: dict[str, tuple[Marker, ...]]
+    templates: tuple[Template, ...]
+    someone: dict[str, str]
+    adjectives: dict[str, Concept]
+    verbs: dict[str, Concept]
+    grammar: Grammar
+
+
+# Which markers the runner asks for by name: a file without one of them cannot work.
+MARKER_KINDS: tuple[str, ...] = (
+    "softener_hedges",
+    "informal_softeners",
+    "weakened_positive_content",
+    "emphasizer_hedges",
+    "acknowledgments",
+    "filled_pauses",
+    "expletives",
+    "near_expletives",
+    "tag_question",
+    "in_group_marker",
+    "competence_mitigation",
+    "request_confirmation",
+    "initial_rejection",
+    "contrast_cue_word",
+    "justify_cue_word",
+    "concede_cue_word",
+    "sequence_cue_word",
+    "conjunction",
+    "with_cue_word",
+    "also_cue_word",
+    "merge_with_comma",
+)
+
+
+def load_lexicon(folder: Path) -> Lexicon:
+    """Read the lexicon's files from a folder.
+
+    Raises `DataError` that names file, line and remedy for anything unknown, missing or empty.
+    """
+    templates, someone = _read_templates(read_yaml(folder / "templates.yaml"))
+    return Lexicon(
+        markers=_read_markers(read_yaml(folder / "markers.yaml")),
+        templates=templates,
+        someone=someone,
+        adjectives=_read_concepts(read_yaml(folder / "adjectives.yaml"), verbs=False),
+        verbs=_read_concepts(read_yaml(folder / "verbs.yaml"), verbs=True),
+        grammar=read_grammar(read_yaml(folder / "grammar.yaml")),
+    )
+
+
+def load_style(folder: Path, name: str) -> Style:
+    """Read the style file `name`.yaml of a folder."""
+    return read_style(read_yaml(folder / f"{name}.yaml"))
+
+
+def _read_markers(node: Node) -> dict[str, tuple[Marker, ...]]:
+    found: dict[str, tuple[Marker, ...]] = {}
+    for kind in MARKER_KINDS:
+        listed = node.need(kind)
+        items = listed.sequence()
+        if not items:
+            raise listed.fault(f"'{kind}' is empty", "add at least one marker")
+        found[kind] = tuple(_marker(item) for item in items)
+    node.done()
+    return found
+
+
+def _marker(item: Node) -> Marker:
+    if item.is_text():
+        return Marker(item.text())
+    marker = Marker(
+        text=item.need("text").text(),
+        place=item.choice_of("place", PLACES, ""),
+        after=item.choice_of("after", (",", "!", "?", "…", "."), ""),
+        lean=item.number_of("lean", -1, 1, 0.0),
+        weight=item.number_of("weight", 0, 100, 1.0),
+        attach=item.choice_of("attach", ATTACHMENTS, ""),
+        role=item.choice_of("role", ("nucleus", "satellite"), ""),
+        own_subject=item.flag_of("own_subject"),
+        verbs=item.texts_of("verbs"),
+    )
+    item.done()
+    return marker
+
+
+def _read_templates(node: Node) -> tuple[tuple[Template, ...], dict[str, str]]:
+    templates = []
+    for name, item in node.need("templates").items():
+        form = item.need("form").choice(("clause", "degree", "someone_who"))
+        templates.append(
+            Template(
+                name=name,
+                parameter=item.need("parameter").text(),
+                form=form,
+                lead="" if form == "someone_who" else item.need("lead").text(),
+                complementizer=item.text_of("complementizer"),
+                polarity=item.choice_of("polarity", POLARITIES, ""),
+                connotation=item.choice_of("connotation", POLARITIES, ""),
+                lean=item.number_of("lean", -1, 1, 0.0),
+                weight=item.number_of("weight", 0, 100, 1.0),
+                inner_tag=item.choice_of("tag", ("inner",), "") == "inner",
+            )
+        )
+        item.done()
+    listed = node.need("someone")
+    someone = {kind: listed.need(kind).text() for kind in ("animate", "inanimate")}
+    listed.done()
+    node.done()
+    return tuple(templates), someone
+
+
+def _read_concepts(node: Node, verbs: bool) -> dict[str, Concept]:
+    found: dict[str, Concept] = {}
+    for name, item in node.items():
+        listed = item.need("words")
+        words = tuple(_word(word, verbs) for word in listed.sequence())
+        if not words:
+            raise listed.fault(f"'{name}' has no words", "add at least one")
+        antonyms = item.texts_of("antonyms")
+        gradable = item.get("gradable")
+        found[name] = Concept(name, words, antonyms, gradable is None or gradable.flag())
+        item.done()
+    return found
+
+
+def _word(item: Node, verbs: bool) -> Word:
+    """Read "word", or [word, frequency, strength, emotion] to save the newcomer's typing."""
+    if item.is_text():
+        return Word(item.text())
+    if item.is_sequence():
+        values = item.sequence()
+        if len(values) != 4:
+            raise item.fault(
+                f"{len(values)} values", "write [word, frequency, strength, emotion]"
+            )
+        text, particle = values[0].text(), ""
+        if verbs:
+            text, _, particle = text.partition(" ")
+        return Word(
+            text,
+            particle,
+            values[1].number(0, 1),
+            values[2].number(0, 1),
+            values[3].number(-1, 1),
+        )
+    raise item.fault("this is no word", "write a word or [word, frequency, strength, emotion]")
+

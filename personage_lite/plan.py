@@ -1,0 +1,169 @@
+"""The values that pass between the stages: content plan, sentence plans, decisions, utterance."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, NamedTuple, TypeAlias
+
+from personage_lite.facts import Fact, RelationKind
+from personage_lite.realizer.specification import Clause, Opener, Sentence, Text
+from personage_lite.state import ConversationState
+
+Role: TypeAlias = Literal["assertion", "repetition", "restatement"]
+Status: TypeAlias = Literal["applied", "not_applicable", "not_drawn"]
+LinkKind: TypeAlias = Literal[
+    "main", "coordinate", "subordinate", "fronted", "relative", "object_relative", "with", "restate"
+]
+
+
+class Decision(NamedTuple):
+    """One decision of the generator: what was drawn, with which chance, and what came of it.
+
+    `before` and `after` hold the text of the place that was rewritten, when a trace is asked for.
+    """
+
+    operator: str
+    stage: str
+    probability: float
+    draw: float
+    status: Status
+    target: str = ""
+    before: str = ""
+    after: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Message:
+    """A fact chosen to be said, or to be said again."""
+
+    fact: Fact
+    role: Role = "assertion"
+
+
+@dataclass(frozen=True, slots=True)
+class Link:
+    """What holds between a message and the one before it: a relation, or only a shared topic.
+
+    `satellite_first` is true where the earlier message is the relation's satellite;
+    `fixed_order` where the later one makes no sense before the earlier one.
+    """
+
+    kind: RelationKind | Literal["infer", "none"]
+    satellite_first: bool = False
+    fixed_order: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class ContentPlan:
+    """What to say, in order; `links[i]` joins messages i and i + 1 (Reiter & Dale 2000, ch. 4).
+
+    `confirmation`, `rejection` and `mitigation` say whether the utterance opens with them.
+    """
+
+    messages: tuple[Message, ...]
+    links: tuple[Link, ...]
+    confirmation: bool = False
+    rejection: bool = False
+    mitigation: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """The template a clause is said in: a lead with "that" or "how", or "someone who"."""
+
+    template: str
+    form: str
+    lead: Text | None
+    complementizer: str = ""
+    inner_tag: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class ClausePlan:
+    """One clause of a sentence plan, with what the operators' constraints ask about.
+
+    `link` says how it joins the sentence, with the cue word `cue`; a `fronted` clause belongs to
+    the main clause after it, all others to the main clause before.
+    """
+
+    clause: Clause
+    facts: tuple[str, ...]
+    polarity: str
+    strength: str
+    gradable: bool = True
+    link: LinkKind = "main"
+    cue: str = ""
+    shared_subject: bool = False
+    frame: Frame | None = None
+    topic: str = ""
+    role: Role = "assertion"
+    marks: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class SentencePlan:
+    """A sentence before assembly: its clauses in spoken order and what stands around them.
+
+    A `fragment` has words instead of clauses ("you want to hear about Alice"). `first` is true
+    for the first sentence that states a fact; `subject_before` is the entity that the sentence
+    before it was about. `answers` is true after an opening question. `words` collects the marker words used, for the
+    conversation's memory.
+    """
+
+    clauses: tuple[ClausePlan, ...] = ()
+    fragment: Text | None = None
+    first: bool = False
+    answers: bool = False
+    subject_before: str = ""
+    openers: tuple[Opener, ...] = ()
+    connective: str = ""
+    vocative: str = ""
+    afterthought: str = ""
+    tag: str = ""
+    terminal: str = "."
+    false_start: bool = False
+    words: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Utterance:
+    """One turn: the text and all that explains it.
+
+    `facts` are the ids of the facts stated, in order; `state` is the conversation afterwards;
+    `sentences` is what the realizer was given.
+    """
+
+    text: str
+    character: str
+    x: float
+    seed: int
+    turn: int
+    facts: tuple[str, ...]
+    parameters: dict[str, float]
+    decisions: tuple[Decision, ...]
+    plan: ContentPlan
+    sentences: tuple[Sentence, ...]
+    state: ConversationState
+
+    def record(self) -> dict[str, object]:
+        """Return the utterance as a JSON-ready record (docs/commands.md)."""
+        return {
+            "text": self.text,
+            "character": self.character,
+            "x": self.x,
+            "seed": self.seed,
+            "turn": self.turn,
+            "facts": list(self.facts),
+            "parameters": self.parameters,
+            "decisions": [
+                {
+                    "operator": decision.operator,
+                    "stage": decision.stage,
+                    "probability": decision.probability,
+                    "draw": decision.draw,
+                    "status": decision.status,
+                    "target": decision.target,
+                }
+                for decision in self.decisions
+            ],
+        }

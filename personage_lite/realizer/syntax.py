@@ -1,0 +1,313 @@
+"""Deep syntax to a row of words: order, agreement, auxiliaries, negation, pronoun forms."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from personage_lite.realizer.grammar import Grammar
+from personage_lite.realizer.morphology import VerbForm, inflect_verb, pluralize, stutter
+from personage_lite.realizer.orthography import INDEFINITE
+from personage_lite.realizer.specification import (
+    AdjectivePhrase,
+    Case,
+    Cased,
+    Clause,
+    Coordination,
+    Embedded,
+    NounPhrase,
+    Phrase,
+    Text,
+)
+
+# What agrees with a clause that has no subject of its own.
+_NOBODY = NounPhrase("")
+
+
+class VerbGroup:
+    """The verb words of one clause: the finite one, those after it, and whether it inverts."""
+
+    __slots__ = ("auxiliary", "finite", "lexical", "rest")
+
+    def __init__(self, finite: str, rest: list[str], auxiliary: bool, lexical: str) -> None:
+        self.finite = finite
+        self.rest = rest
+        # An auxiliary (or be) takes "not" and inverts by itself; other verbs need "do".
+        self.auxiliary = auxiliary
+        self.lexical = lexical
+
+
+def pronoun_row(phrase: NounPhrase) -> str:
+    """Return which row of the pronoun table a noun phrase takes."""
+    if phrase.person == 1:
+        return "first plural" if phrase.number == "plural" else "first singular"
+    if phrase.person == 2:
+        return "second plural" if phrase.number == "plural" else "second singular"
+    return "third plural" if phrase.number == "plural" else phrase.gender
+
+
+class Syntax:
+    """Emits the words of phrases and clauses in order; holds nothing but the grammar's data."""
+
+    __slots__ = ("grammar",)
+
+    def __init__(self, grammar: Grammar) -> None:
+        self.grammar = grammar
+
+    # Verbs
+
+    def finite_be(self, subject: NounPhrase, past: bool) -> str:
+        """Return am, are, is, was or were."""
+        forms = self.grammar.be
+        plural = subject.number == "plural" or subject.person == 2
+        if past:
+            return forms["past_plural" if plural else "past_singular"]
+        if plural:
+            return forms["present_other"]
+        return forms["present_first" if subject.person == 1 else "present_third"]
+
+    def finite(self, lemma: str, subject: NounPhrase, past: bool) -> str:
+        """Return a verb's finite form, agreeing with its subject."""
+        if lemma == "be":
+            return self.finite_be(subject, past)
+        if past:
+            return inflect_verb(lemma, "past", self.grammar)
+        third = subject.person == 3 and subject.number == "singular"
+        return inflect_verb(lemma, "third" if third else "base", self.grammar)
+
+    def verb_group(self, clause: Clause, emphatic: bool = False) -> VerbGroup:
+        """Return the clause's verb words; `emphatic` asks for do-support."""
+        subject = clause.subject or _NOBODY
+        past = clause.tense == "past"
+        modal = clause.modal or ("will" if clause.tense == "future" else "")
+        lemmas: list[tuple[str, VerbForm]] = []  # each with the form it gives the next one
+        if clause.perfect:
+            lemmas.append(("have", "participle"))
+        if clause.progressive:
+            lemmas.append(("be", "gerund"))
+        if clause.passive:
+            lemmas.append(("be", "participle"))
+        if not modal and not lemmas:
+            if clause.verb != "be" and emphatic:
+                return VerbGroup(self.finite("do", subject, past), [clause.verb], True, clause.verb)
+            finite = self.finite(clause.verb, subject, past)
+            return VerbGroup(finite, [], clause.verb == "be", clause.verb)
+        rest = []
+        form: VerbForm = "base"
+        if not modal:
+            first, form = lemmas.pop(0)
+            modal = self.finite(first, subject, past)
+        for lemma, next_form in lemmas:
+            rest.append(self._form(lemma, form))
+            form = next_form
+        rest.append(self._form(clause.verb, form))
+        return VerbGroup(modal, rest, True, clause.verb)
+
+    def _form(self, lemma: str, form: VerbForm) -> str:
+        if lemma == "be" and form == "gerund":
+            return "being"
+        return inflect_verb(lemma, form, self.grammar)
+
+    # Phrases
+
+    def noun_phrase(self, out: list[str], phrase: NounPhrase, case: Case = "objective") -> None:
+        """Add a noun phrase or its pronoun."""
+        if phrase.pronoun:
+            out.append(self.grammar.pronouns[pronoun_row(phrase)][case])
+            return
+        if case == "reflexive":
+            out.append(self.grammar.pronouns[pronoun_row(phrase)]["reflexive"])
+            return
+        if phrase.possessor is not None:
+            self.noun_phrase(out, phrase.possessor, "possessive")
+        elif phrase.determiner:
+            out.append(INDEFINITE if phrase.determiner in ("a", "an") else phrase.determiner)
+        for adjective in phrase.adjectives:
+            self.phrase(out, adjective)
+        noun = phrase.noun
+        if phrase.number == "plural" and not phrase.entity:
+            noun = pluralize(noun, self.grammar)
+        out.append(stutter(noun, phrase.stutter) if phrase.stutter else noun)
+        if case == "possessive":
+            plural = phrase.number == "plural" and noun.endswith("s")
+            out[-1] += "'" if plural else "'s"
+        if phrase.relative is not None:
+            self.relative(out, phrase)
+
+    def relative(self, out: list[str], phrase: NounPhrase) -> None:
+        """Add "who …"; between commas unless it is restrictive."""
+        assert phrase.relative is not None
+        mark = [] if phrase.restrictive else [","]
+        kind = "animate" if phrase.animate else "inanimate"
+        out.extend(mark)
+        out.append(self.grammar.relative_pronouns[kind])
+        bare = replace(phrase, relative=None, pronoun=False)
+        self.predicate(out, replace(phrase.relative, subject=bare), after_pronoun=False)
+        out.extend(mark)
+
+    def phrase(self, out: list[str], phrase: Phrase, case: Case = "objective") -> None:
+        """Add any phrase."""
+        if isinstance(phrase, Text):
+            for part in phrase.parts:
+                if isinstance(part, Cased):
+                    self.noun_phrase(out, part.phrase, part.case)
+                else:
+                    out.append(part)
+        elif isinstance(phrase, AdjectivePhrase):
+            out.extend(phrase.adverbs)
+            out.append(phrase.adjective)
+        elif isinstance(phrase, NounPhrase):
+            self.noun_phrase(out, phrase, case)
+        else:
+            self._coordination(out, phrase, case)
+
+    def _coordination(self, out: list[str], phrase: Coordination, case: Case) -> None:
+        last = len(phrase.items) - 1
+        for index, item in enumerate(phrase.items):
+            if index:
+                if index < last or phrase.conjunction == ",":
+                    out.append(",")
+                else:
+                    out.append(phrase.conjunction)
+            self.phrase(out, item, case)
+
+    # Clauses
+
+    def clause(self, out: list[str], clause: Clause, shared_subject: bool = False) -> None:
+        """Add a finite clause with its subordinate clauses before and after it."""
+        for subordinate in clause.subordinates:
+            if subordinate.fronted:
+                out.append(subordinate.conjunction)
+                self.clause(out, subordinate.clause)
+                out.append(",")
+        subject = clause.subject
+        if clause.degree and clause.complement is not None:
+            out.append(self.grammar.degree_word)
+            self.phrase(out, clause.complement)
+        if subject is not None and not shared_subject:
+            self.noun_phrase(out, subject, "subjective")
+        pronoun = subject is not None and subject.pronoun and not shared_subject
+        self.predicate(out, clause, after_pronoun=pronoun)
+        for subordinate in clause.subordinates:
+            if not subordinate.fronted:
+                out.append(subordinate.conjunction)
+                self.clause(out, subordinate.clause)
+
+    def predicate(self, out: list[str], clause: Clause, after_pronoun: bool) -> None:
+        """Add all of a clause that follows its subject, but for subordinate clauses."""
+        negator = clause.negator if clause.negated else ""
+        plain_not = negator == "not"
+        group = self.verb_group(clause, emphatic=plain_not)
+        if clause.negated:
+            out.extend(clause.emphasizers)
+        self._finite_words(out, clause, group, negator, after_pronoun)
+        middle = [] if clause.negated else list(clause.emphasizers)
+        middle.extend(clause.adverbs)
+        if negator and not plain_not:
+            middle.insert(0, negator)
+        if clause.interruption:
+            middle.extend([",", clause.interruption, ","])
+        if group.auxiliary:
+            out.extend(middle)
+        else:
+            finite = out.pop()
+            out.extend(middle)
+            out.append(finite)
+        out.extend(group.rest)
+        if clause.truncated:
+            return
+        self._arguments(out, clause)
+
+    def _finite_words(
+        self, out: list[str], clause: Clause, group: VerbGroup, negator: str, after_pronoun: bool
+    ) -> None:
+        grammar = self.grammar
+        if negator == "not":
+            short = grammar.negative_contractions.get(group.finite)
+            if clause.contracted and short:
+                out.append(short)
+            elif group.finite in grammar.fused_negatives:
+                out.append(grammar.fused_negatives[group.finite])
+            else:
+                out.extend((group.finite, "not"))
+            return
+        short = grammar.contractions.get(group.finite)
+        if (
+            clause.contracted
+            and after_pronoun
+            and short
+            and group.auxiliary
+            and not clause.interruption
+            and not clause.truncated
+            and not clause.degree
+        ):
+            out[-1] += short
+            # Something to hold the middle words' place, as the finite word would.
+            return
+        out.append(group.finite)
+
+    def _arguments(self, out: list[str], clause: Clause) -> None:
+        particle_last = clause.particle and _is_pronoun(clause.object)
+        if clause.particle and not particle_last:
+            out.append(clause.particle)
+        if clause.indirect_object is not None:
+            self.phrase(out, clause.indirect_object)
+        if clause.object is not None:
+            self.phrase(out, clause.object)
+        if particle_last:
+            out.append(clause.particle)
+        if clause.complement is not None and not clause.degree:
+            self.phrase(out, clause.complement)
+        for adverbial in clause.adverbials:
+            self.phrase(out, adverbial)
+        for aside in clause.asides:
+            out.append(",")
+            self.phrase(out, aside)
+            out.append(",")
+        if clause.quotation:
+            out.extend((",", f"“{clause.quotation}”"))
+
+    def body(
+        self, out: list[str], body: Clause | Embedded | Text, shared_subject: bool = False
+    ) -> None:
+        """Add a clause, a main clause with the clause inside it, or the words of a fragment."""
+        if isinstance(body, Embedded):
+            self.phrase(out, body.lead)
+            if body.complementizer:
+                out.append(body.complementizer)
+            self.clause(out, body.clause)
+        elif isinstance(body, Text):
+            self.phrase(out, body)
+        else:
+            self.clause(out, body, shared_subject)
+
+    def tag(self, out: list[str], clause: Clause) -> None:
+        """Add the tag question that agrees with a clause: "isn't she?", "did they?"."""
+        subject = clause.subject or _NOBODY
+        finite = self.verb_group(clause, emphatic=True).finite
+        if not self._sounds_negative(clause):
+            finite = (
+                self.grammar.tag_negatives.get(finite)
+                or self.grammar.negative_contractions.get(finite)
+                or finite
+            )
+        out.extend((",", finite))
+        self.noun_phrase(out, replace(subject, pronoun=True, relative=None), "subjective")
+
+
+    def _sounds_negative(self, clause: Clause) -> bool:
+        """Whether a tag must be positive: "she never …, does she?", "she fears nobody, does she?"."""
+        negators = self.grammar.negators
+        if clause.negated or any(adverb in negators for adverb in clause.adverbs):
+            return True
+        said = clause.object
+        first = said.parts[0] if isinstance(said, Text) else ""
+        return isinstance(first, str) and first.split(" ", 1)[0] in negators
+
+
+def _is_pronoun(phrase: Phrase | None) -> bool:
+    if isinstance(phrase, NounPhrase):
+        return phrase.pronoun
+    if isinstance(phrase, Text) and len(phrase.parts) == 1:
+        part = phrase.parts[0]
+        return isinstance(part, Cased) and (part.phrase.pronoun or part.case == "reflexive")
+    return False

@@ -1,0 +1,172 @@
+"""The sentence planner: messages to sentences, in the stages of PERSONAGE.
+
+Templates, aggregation, pragmatic markers, lexical choice, referring expressions; then assembly
+into deep syntax. Source: Mairesse & Walker 2011, section 4; the paper, section IV-C.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from personage_lite.facts import Character
+from personage_lite.operators import Operator, Turn, run_operators
+from personage_lite.plan import ClausePlan, ContentPlan, Decision, Link, SentencePlan
+from personage_lite.realizer.specification import Sentence
+from personage_lite.sentence_planner import hedges, speech
+from personage_lite.sentence_planner.aggregation import COMPETING, Joint, Pair
+from personage_lite.sentence_planner.assembly import assemble
+from personage_lite.sentence_planner.lexical_choice import LexicalChoice
+from personage_lite.sentence_planner.referring_expressions import ReferringExpressions
+from personage_lite.sentence_planner.templates import lead_text, select_templates
+
+# The order in which pragmatic markers are offered: what changes a clause comes before what
+# stands around the sentence, for the latter looks at the former.
+PRAGMATIC_MARKERS: tuple[Operator, ...] = (
+    Operator("subject_implicitness", hedges.subject_implicitness, limit=2),
+    Operator("negation", hedges.negation, limit=1),
+    Operator("weakened_positive_content", hedges.weakened_positive_content, limit=2),
+    Operator("softener_hedges", hedges.softener_hedges, limit=2),
+    Operator("informal_softeners", hedges.informal_softeners, limit=1),
+    Operator("emphasizer_hedges", hedges.emphasizer_hedges, limit=2),
+    Operator("stuttering", speech.stuttering, limit=1),
+    Operator("object_ellipsis", speech.object_ellipsis, limit=1),
+    Operator("expletives", speech.expletives, limit=1),
+    Operator("near_expletives", speech.near_expletives, limit=1),
+    Operator("acknowledgments", speech.acknowledgments, limit=2),
+    Operator("filled_pauses", speech.filled_pauses, limit=2),
+    Operator("tag_question", speech.tag_question, limit=1),
+    Operator("exclamation", speech.exclamation, limit=4),
+    Operator("in_group_marker", speech.in_group_marker, limit=1),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class PlannedSentences:
+    """What the sentence planner hands on: the realizer's input, and what to remember."""
+
+    sentences: tuple[Sentence, ...]
+    facts: tuple[str, ...]
+    decisions: tuple[Decision, ...]
+    markers: frozenset[str]
+    mentioned: frozenset[str]
+    focus: frozenset[str]
+    focus_subject: str
+
+
+def plan_sentences(
+    plan: ContentPlan, character: Character, turn: Turn, operators: Sequence[Operator]
+) -> PlannedSentences:
+    """Turn a content plan into sentences, ready for the realizer."""
+    clauses, decisions, used = select_templates(plan, character, turn)
+    sentences, joined = aggregate(clauses, plan.links, turn)
+    decisions += joined
+    sentences = with_openings(sentences, plan, character, turn)
+    decisions += run_operators(sentences, operators, "pragmatic_markers", turn)
+    words = LexicalChoice(turn.parameters, turn.draws, turn.state, turn.lexicon)
+    sentences = [words.sentence(sentence, index) for index, sentence in enumerate(sentences)]
+    referring = ReferringExpressions(character, turn.parameters, turn.draws, turn.state)
+    sentences = [referring.sentence(sentence) for sentence in sentences]
+    decisions += words.decisions + referring.decisions
+    facts = [fact for sentence in sentences for part in sentence.clauses for fact in part.facts]
+    applied = (decision.operator for decision in decisions if decision.status == "applied")
+    marked = (word for sentence in sentences for word in sentence.words)
+    return PlannedSentences(
+        sentences=tuple(assemble(sentence) for sentence in sentences),
+        facts=tuple(dict.fromkeys(facts)),
+        decisions=tuple(decisions),
+        markers=frozenset((*applied, *marked, *used, *words.words)),
+        mentioned=referring.said,
+        focus=referring.focus,
+        focus_subject=referring.focus_subject,
+    )
+
+
+def aggregate(
+    clauses: list[ClausePlan], links: tuple[Link, ...], turn: Turn
+) -> tuple[list[SentencePlan], list[Decision]]:
+    """Join each clause to the sentence before it, by one of its relation's operators.
+
+    An operator whose constraint does not hold is struck off and another one drawn.
+    """
+    done: list[SentencePlan] = []
+    current = SentencePlan((clauses[0],))
+    decisions: list[Decision] = []
+    for index, (clause, link) in enumerate(zip(clauses[1:], links, strict=True)):
+        # Where clauses changed places, what the relation holds of is no longer the last one.
+        if not set(clauses[index].facts) <= set(current.clauses[-1].facts):
+            link = Link("none")
+        joint, made = _join(Pair(current, clause, link), index, turn)
+        decisions += made
+        done.extend(joint[:-1])
+        current = joint[-1]
+    return [*done, current], decisions
+
+
+def _join(pair: Pair, index: int, turn: Turn) -> tuple[Joint, list[Decision]]:
+    decisions: list[Decision] = []
+    able = list(COMPETING[pair.link.kind])
+    while able:
+        weights = [factor * turn.parameters[rewrite.__name__] for rewrite, factor in able]
+        total = sum(weights)
+        if not total:
+            break
+        scope = f"aggregation/{index}/{len(able)}"
+        rewrite, factor = turn.draws.choose(scope, able, weights)
+        name = rewrite.__name__
+        joint = rewrite(pair, rng=turn.rng(f"{name}/{index}"), lexicon=turn.lexicon)
+        before = after = ""
+        if joint is not None and turn.show is not None:
+            before = f"{turn.show(pair.left)} + {turn.show(SentencePlan((pair.right,)))}"
+            after = " ".join(turn.show(sentence) for sentence in joint)
+        decisions.append(
+            Decision(
+                name,
+                "aggregation",
+                round(factor * turn.parameters[name] / total, 4),
+                turn.draws.uniform(scope),
+                "not_applicable" if joint is None else "applied",
+                f"{pair.link.kind} {index + 1}",
+                before,
+                after,
+            )
+        )
+        if joint is not None:
+            return joint, decisions
+        able.remove((rewrite, factor))
+    # What only says again what the sentence says already can be left out; all else stands alone.
+    if pair.link.kind == "restatement":
+        return (pair.left,), decisions
+    return (pair.left, SentencePlan((pair.right,))), decisions
+
+
+def with_openings(
+    sentences: list[SentencePlan], plan: ContentPlan, character: Character, turn: Turn
+) -> list[SentencePlan]:
+    """Note what each sentence follows, and open with what the content plan asks for."""
+    placed: list[SentencePlan] = []
+    before = ""
+    for sentence in sentences:
+        placed.append(replace(sentence, first=not placed, subject_before=before))
+        subject = sentence.clauses[-1].clause.subject
+        before = subject.entity if subject is not None else ""
+    if plan.mitigation:
+        rng = turn.rng("competence_mitigation/place")
+        opened = speech.competence_mitigation(placed[0], rng=rng, lexicon=turn.lexicon)
+        placed[0] = opened or placed[0]
+    for kind, wanted in (
+        ("initial_rejection", plan.rejection),
+        ("request_confirmation", plan.confirmation),
+    ):
+        marker = turn.rng(kind).marker(turn.lexicon.markers[kind]) if wanted else None
+        if marker is None:
+            continue
+        if not marker.after or marker.after == ",":
+            placed[0] = speech.with_opener(placed[0], marker)
+        else:
+            fragment = lead_text(marker.text, character.entity.phrase)
+            placed.insert(
+                0, SentencePlan(fragment=fragment, terminal=marker.after, words=(marker.text,))
+            )
+            placed[1] = replace(placed[1], answers=marker.after == "?")
+    return placed

@@ -1,0 +1,108 @@
+"""Assembly: a sentence plan's clauses become one deep-syntax tree for the realizer."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from personage_lite.plan import ClausePlan, SentencePlan
+from personage_lite.realizer.specification import (
+    Cased,
+    Clause,
+    Embedded,
+    Joined,
+    NounPhrase,
+    Phrase,
+    Sentence,
+    Subordinate,
+    Text,
+)
+
+
+def assemble(plan: SentencePlan) -> Sentence:
+    """Return the realizer's specification of a sentence plan."""
+    if plan.fragment is not None:
+        return Sentence(
+            plan.fragment, openers=plan.openers, vocative=plan.vocative, terminal=plan.terminal
+        )
+    bodies: list[tuple[ClausePlan, Clause]] = []
+    fronted: tuple[Subordinate, ...] = ()
+    for part in plan.clauses:
+        clause = part.clause
+        if part.link == "fronted":
+            fronted = (*fronted, Subordinate(part.cue, clause, fronted=True))
+        elif part.link in ("main", "coordinate"):
+            if fronted:
+                clause = replace(clause, subordinates=(*fronted, *clause.subordinates))
+                fronted = ()
+            bodies.append((part, clause))
+        else:
+            host, said = bodies[-1]
+            bodies[-1] = (host, _attached(said, part))
+    first, rest = bodies[0], bodies[1:]
+    return Sentence(
+        body=_framed(*first),
+        joined=tuple(
+            Joined(part.cue, _framed(part, clause), part.shared_subject) for part, clause in rest
+        ),
+        openers=plan.openers,
+        connective=plan.connective,
+        vocative=plan.vocative,
+        afterthought=plan.afterthought,
+        tag=plan.tag,
+        terminal=plan.terminal,
+        false_start=plan.false_start,
+    )
+
+
+def _attached(host: Clause, part: ClausePlan) -> Clause:
+    """Put a subordinate or relative clause into its host."""
+    if part.link == "subordinate":
+        return replace(
+            host, subordinates=(*host.subordinates, Subordinate(part.cue, part.clause))
+        )
+    inner = replace(part.clause, subject=None)
+    if part.link == "relative" and host.subject is not None:
+        return replace(host, subject=replace(host.subject, relative=inner))
+    for name in ("adverbials", "complement", "object"):
+        said = getattr(host, name)
+        if name == "adverbials" and said:
+            return replace(host, adverbials=(*said[:-1], _with_relative(said[-1], inner)))
+        if name == "complement" and said is not None:
+            return replace(host, complement=_with_relative(said, inner))
+        if name == "object" and said is not None:
+            return replace(host, object=_with_relative(said, inner))
+    raise AssertionError("a relative clause without a host")
+
+
+def _with_relative(phrase: Phrase, inner: Clause) -> Phrase:
+    """Attach a relative clause to the mention that ends a phrase."""
+    assert isinstance(phrase, Text)
+    last = phrase.parts[-1]
+    assert isinstance(last, Cased)
+    noun = replace(last.phrase, relative=inner)
+    return Text((*phrase.parts[:-1], Cased(noun, last.case)))
+
+
+def _framed(part: ClausePlan, clause: Clause) -> Clause | Embedded:
+    """Put a clause into its template's frame."""
+    frame = part.frame
+    if frame is None or frame.lead is None:
+        return clause
+    if frame.form == "someone_who":
+        assert clause.subject is not None
+        word = frame.lead.parts[0]
+        assert isinstance(word, str)
+        someone = NounPhrase(
+            word,
+            animate=clause.subject.animate,
+            relative=replace(clause, subject=None, subordinates=(), contracted=False),
+            restrictive=True,
+        )
+        return Clause(
+            "be",
+            clause.subject,
+            complement=someone,
+            subordinates=clause.subordinates,
+            contracted=clause.contracted,
+        )
+    return Embedded(frame.lead, clause, frame.complementizer, frame.inner_tag)

@@ -1,0 +1,152 @@
+"""Lexical choice: the word for each concept, by how common, long, strong and positive it is.
+
+Source: Mairesse & Walker 2011, section 4.5 (lexicon frequency, word length, verb strength); the
+paper, section IV-C (positive emotion words).
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import exp
+
+from personage_lite.lexicon import Concept, Lexicon, Word
+from personage_lite.plan import ClausePlan, Decision, SentencePlan
+from personage_lite.randomness import Draws
+from personage_lite.realizer.specification import (
+    AdjectivePhrase,
+    Cased,
+    Coordination,
+    NounPhrase,
+    Phrase,
+    Text,
+)
+from personage_lite.sentence_planner.hedges import ANTONYM
+from personage_lite.state import ConversationState
+
+STAGE = "lexical_choice"
+# How strongly each property of a word counts, per unit that its parameter is off the middle.
+_FREQUENCY, _LENGTH, _STRENGTH, _EMOTION = 6.0, 0.4, 4.0, 3.0
+_WORN = 0.4
+
+
+class LexicalChoice:
+    """Chooses words for one utterance; the same concept gets the same word throughout it."""
+
+    def __init__(
+        self,
+        parameters: dict[str, float],
+        draws: Draws,
+        state: ConversationState,
+        lexicon: Lexicon,
+    ) -> None:
+        self._frequency = _FREQUENCY * (parameters["lexicon_frequency"] - 0.5)
+        self._length = _LENGTH * (parameters["lexicon_word_length"] - 0.5)
+        self._strength = _STRENGTH * (parameters["verb_strength"] - 0.5)
+        self._emotion = _EMOTION * (parameters["positive_emotion_words"] - 0.5)
+        self._contractions = parameters["contractions"]
+        self._draws = draws
+        self._state = state
+        self._lexicon = lexicon
+        self._chosen: dict[str, Word] = {}
+        self.decisions: list[Decision] = []
+        self.words: list[str] = []
+
+    def _weight(self, word: Word, verb: bool) -> float:
+        power = self._frequency * word.frequency + self._length * len(word.text)
+        power += self._emotion * word.emotion
+        if verb:
+            power += self._strength * word.strength
+        return exp(power) * _WORN ** self._state.times_recent(word.text)
+
+    def _choose(self, concept: Concept, verb: bool, other_than: str = "") -> Word:
+        words = [word for word in concept.words if word.text != other_than] or list(concept.words)
+        weights = [self._weight(word, verb) for word in words]
+        name = f"lexical_choice/{concept.name}{'/again' if other_than else ''}"
+        word = self._draws.choose(name, words, weights)
+        chance = weights[words.index(word)] / sum(weights)
+        draw = self._draws.uniform(name)
+        self.decisions.append(
+            Decision(
+                "lexical_choice", STAGE, round(chance, 4), draw, "applied", concept.name,
+                concept.name, word.text,
+            )
+        )
+        self.words.append(word.text)
+        return word
+
+    def word(self, concept: Concept, verb: bool = False) -> Word:
+        """Return the word for a concept in this utterance."""
+        found = self._chosen.get(concept.name)
+        if found is None:
+            found = self._chosen[concept.name] = self._choose(concept, verb)
+        return found
+
+    def adjective(self, phrase: AdjectivePhrase) -> AdjectivePhrase:
+        """Return an adjective phrase with its concept's word."""
+        concept = self._lexicon.adjectives.get(phrase.adjective)
+        if concept is None:
+            return phrase
+        return replace(phrase, adjective=self.word(concept).text)
+
+    def phrase(self, phrase: Phrase, restated: bool) -> Phrase:
+        """Return a phrase with words for its concepts; a restatement gets another word."""
+        if isinstance(phrase, AdjectivePhrase):
+            return self.adjective(phrase)
+        if isinstance(phrase, Coordination):
+            items = [self.phrase(item, False) for item in phrase.items]
+            last, concept = phrase.items[-1], None
+            if restated and phrase.conjunction == "," and isinstance(last, AdjectivePhrase):
+                concept = self._lexicon.adjectives.get(last.adjective)
+            if concept is not None and isinstance(last, AdjectivePhrase):
+                other = self._choose(concept, False, self.word(concept).text)
+                items[-1] = replace(last, adjective=other.text)
+            return Coordination(tuple(items), phrase.conjunction)
+        return phrase
+
+    def clause(self, plan: ClausePlan, contracted: bool) -> ClausePlan:
+        """Return a clause plan in words."""
+        clause = plan.clause
+        changes: dict[str, object] = {}
+        if contracted:
+            changes["contracted"] = True
+        concept = self._lexicon.verbs.get(clause.verb)
+        if concept is not None and not clause.particle:
+            word = self.word(concept, verb=True)
+            changes["verb"], changes["particle"] = word.text, word.particle
+        if ANTONYM in plan.marks:
+            pass
+        elif isinstance(clause.complement, AdjectivePhrase | Coordination):
+            changes["complement"] = self.phrase(clause.complement, plan.role == "restatement")
+        if clause.asides:
+            changes["asides"] = tuple(self._aside(aside) for aside in clause.asides)
+        return replace(plan, clause=replace(clause, **changes)) if changes else plan  # type: ignore[arg-type]
+
+    def _aside(self, phrase: Phrase) -> Phrase:
+        """Choose the adjectives inside "with pink eyes"."""
+        if not isinstance(phrase, Text):
+            return phrase
+        parts: list[str | Cased] = []
+        for part in phrase.parts:
+            if isinstance(part, Cased) and part.phrase.adjectives:
+                chosen = tuple(self.adjective(item) for item in part.phrase.adjectives)
+                noun: NounPhrase = replace(part.phrase, adjectives=chosen)
+                parts.append(Cased(noun, part.case))
+            else:
+                parts.append(part)
+        return Text(tuple(parts))
+
+    def sentence(self, plan: SentencePlan, index: int) -> SentencePlan:
+        """Return a sentence plan in words, contracted or not."""
+        draw = self._draws.uniform(f"contractions/{index}")
+        contracted = draw < self._contractions
+        self.decisions.append(
+            Decision(
+                "contractions", STAGE, self._contractions, draw,
+                "applied" if contracted else "not_drawn", f"sentence {index + 1}",
+            )
+        )
+        return replace(
+            plan, clauses=tuple(self.clause(clause, contracted) for clause in plan.clauses)
+        )
+
+

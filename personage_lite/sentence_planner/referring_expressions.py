@@ -1,0 +1,210 @@
+"""Referring expressions: full name, short name, description or pronoun, never ambiguous.
+
+A pronoun is allowed where nobody else it could mean was mentioned in this sentence or the one
+before; or where it is a subject that goes on with the subject of the clause before (Grosz,
+Joshi & Weinstein 1995; Reiter & Dale 2000, section 5.4).
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from personage_lite.facts import Character, Entity
+from personage_lite.plan import ClausePlan, Decision, SentencePlan
+from personage_lite.randomness import Draws
+from personage_lite.realizer.specification import Cased, Clause, NounPhrase, Phrase, Text
+from personage_lite.realizer.syntax import pronoun_row
+from personage_lite.state import ConversationState
+
+STAGE = "referring_expressions"
+# Across turns a pronoun is rarer than within one.
+_ACROSS_TURNS = 0.6
+_DESCRIPTION = 0.3
+_SHORT_AGAIN = 0.6
+
+
+class ReferringExpressions:
+    """Chooses the forms of one utterance's mentions in the order in which they are heard."""
+
+    def __init__(
+        self,
+        character: Character,
+        parameters: dict[str, float],
+        draws: Draws,
+        state: ConversationState,
+    ) -> None:
+        self._entities = character.entities
+        self._pronominalization = parameters["pronominalization"]
+        self._draws = draws
+        self._known = state.introduced
+        # Whom the sentence before, and this one so far, have mentioned.
+        self._before: frozenset[str] = state.focus
+        self._here: list[str] = []
+        self._said: set[str] = set()
+        self._subject = state.focus_subject
+        self._clause_subject = ""
+        self._turn_before = True
+        self._count = 0
+        self.decisions: list[Decision] = []
+
+    @property
+    def focus(self) -> frozenset[str]:
+        """Whom the last sentence mentioned."""
+        return self._before
+
+    @property
+    def focus_subject(self) -> str:
+        """Whom the last clause was about."""
+        return self._subject
+
+    @property
+    def said(self) -> frozenset[str]:
+        """Whom the utterance has named."""
+        return frozenset(self._said)
+
+    # Choosing
+
+    def _rivals(self, entity: Entity) -> list[str]:
+        row = pronoun_row(entity.phrase)
+        return [
+            other
+            for other in {*self._here, *self._before}
+            if other != entity.id and pronoun_row(self._entities[other].phrase) == row
+        ]
+
+    def _may_be_pronoun(self, entity: Entity, subjective: bool) -> bool:
+        if entity.id not in self._here and entity.id not in self._before:
+            return False
+        if not self._rivals(entity):
+            return True
+        return subjective and self._subject == entity.id
+
+    def form(self, phrase: NounPhrase, subjective: bool, bound: bool = False) -> NounPhrase:
+        """Return a mention in the form in which it is said here."""
+        entity = self._entities.get(phrase.entity)
+        if entity is None:
+            return phrase
+        if bound:
+            return replace(phrase, pronoun=True)
+        chosen = self._form(entity, phrase.stutter > 0, subjective)
+        if phrase.stutter and not chosen.pronoun:
+            chosen = replace(chosen, stutter=phrase.stutter)
+        if phrase.relative is not None:
+            chosen = replace(chosen, relative=phrase.relative)
+        self._here.append(entity.id)
+        self._said.add(entity.id)
+        return chosen
+
+    def _form(self, entity: Entity, named: bool, subjective: bool) -> NounPhrase:
+        self._count += 1
+        if not named and self._may_be_pronoun(entity, subjective):
+            probability = self._pronominalization
+            if entity.id in self._here:
+                probability = 1.0
+            elif self._turn_before:
+                probability *= _ACROSS_TURNS
+            draw = self._draws.uniform(f"pronominalization/{self._count}")
+            applied = draw < probability
+            self.decisions.append(
+                Decision(
+                    "pronominalization", STAGE, round(probability, 4), draw,
+                    "applied" if applied else "not_drawn", f"mention {self._count}",
+                    entity.name if applied else "", "pronoun" if applied else "",
+                )
+            )
+            if applied:
+                return entity.pronoun
+        return self._name(entity, named)
+
+    def _name(self, entity: Entity, named: bool) -> NounPhrase:
+        """Return the full name at the first mention, then a shorter one or a description."""
+        draw = self._draws.uniform(f"name/{self._count}")
+        if entity.id in self._said:
+            able = [] if named else self._descriptions(entity)
+            if able and draw < _DESCRIPTION:
+                return able[int(draw / _DESCRIPTION * len(able))]
+            return entity.short_phrase
+        if entity.id in self._known and draw < _SHORT_AGAIN:
+            return entity.short_phrase
+        return entity.phrase
+
+    def _descriptions(self, entity: Entity) -> list[NounPhrase]:
+        """Return the descriptions that fit nobody else who was mentioned lately."""
+        others = [self._entities[key] for key in {*self._here, *self._before} if key != entity.id]
+        taken = {noun for other in others for noun in other.nouns}
+        return [
+            phrase
+            for noun, phrase in zip(entity.nouns, entity.descriptions, strict=True)
+            if noun not in taken
+        ]
+
+    # Walking through what is said
+
+    def sentence(self, plan: SentencePlan) -> SentencePlan:
+        """Return a sentence with its mentions in their forms."""
+        self._here = []
+        if plan.fragment is not None:
+            for part in plan.fragment.parts:
+                if isinstance(part, Cased):
+                    self._here.append(part.phrase.entity)
+                    self._said.add(part.phrase.entity)
+            clauses: tuple[ClausePlan, ...] = ()
+        else:
+            clauses = tuple(self._clause_plan(clause, plan) for clause in plan.clauses)
+        self._before = frozenset(self._here)
+        self._turn_before = False
+        return replace(plan, clauses=clauses)
+
+    def _clause_plan(self, plan: ClausePlan, sentence: SentencePlan) -> ClausePlan:
+        relative = plan.link in ("relative", "object_relative")
+        frame = plan.frame
+        if frame is not None and frame.lead is not None:
+            frame = replace(frame, lead=self._text(frame.lead))
+        named = plan.link == "main" and any(
+            other.link == "relative" for other in sentence.clauses
+        )
+        return replace(plan, clause=self._clause(plan.clause, relative, named), frame=frame)
+
+    def _clause(self, clause: Clause, relative: bool, named: bool) -> Clause:
+        subject = clause.subject
+        owner = subject.entity if subject is not None else ""
+        changes: dict[str, object] = {}
+        if subject is not None and owner and not relative:
+            if named and not subject.stutter:
+                entity = self._entities[owner]
+                changes["subject"] = self._name(entity, named=True)
+                self._here.append(owner)
+                self._said.add(owner)
+            else:
+                changes["subject"] = self.form(subject, subjective=True)
+        elif subject is not None and subject.possessor is not None:
+            owner = subject.possessor.entity
+            possessor = self.form(subject.possessor, subjective=False)
+            changes["subject"] = replace(subject, possessor=possessor)
+        self._clause_subject = owner
+        for name in ("indirect_object", "object", "complement"):
+            phrase = getattr(clause, name)
+            if isinstance(phrase, Text):
+                changes[name] = self._text(phrase)
+        for name in ("adverbials", "asides"):
+            phrases = getattr(clause, name)
+            if phrases:
+                changes[name] = tuple(self._phrase(phrase) for phrase in phrases)
+        self._subject = owner or self._subject
+        return replace(clause, **changes) if changes else clause  # type: ignore[arg-type]
+
+    def _phrase(self, phrase: Phrase) -> Phrase:
+        return self._text(phrase) if isinstance(phrase, Text) else phrase
+
+    def _text(self, text: Text) -> Text:
+        parts: list[str | Cased] = []
+        changed = False
+        for part in text.parts:
+            if isinstance(part, Cased) and part.phrase.entity and part.case != "reflexive":
+                bound = part.phrase.entity == self._clause_subject
+                form = self.form(part.phrase, part.case == "subjective", bound)
+                parts.append(Cased(form, part.case))
+                changed = True
+            else:
+                parts.append(part)
+        return Text(tuple(parts)) if changed else text

@@ -1,0 +1,206 @@
+"""Marks of speech around and inside a sentence: openers, tags, vocatives, oaths, stutters.
+
+Source: Mairesse & Walker 2011, section 4.4; the paper, section IV-C and figure 7.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from personage_lite.lexicon import Lexicon, Marker
+from personage_lite.operators import OperatorDraws
+from personage_lite.plan import Frame, SentencePlan
+from personage_lite.realizer.specification import Text
+from personage_lite.sentence_planner.hedges import (
+    EMPHASIZED,
+    SOFTENED,
+    opener_fits,
+    pause_fits,
+    replaced,
+    with_degree,
+    with_opener,
+)
+
+_TWICE = 0.4
+
+
+def _opener(
+    plan: SentencePlan, kind: str, places: tuple[str, ...], rng: OperatorDraws, lexicon: Lexicon
+) -> SentencePlan | None:
+    """Put one of a kind's openers before a sentence, none that begins like one already there."""
+    if not opener_fits(plan):
+        return None
+    taken = {opener.text.split(" ", 1)[0] for opener in plan.openers}
+    able = tuple(
+        marker
+        for marker in lexicon.markers[kind]
+        if marker.place in places and marker.text.split(" ", 1)[0] not in taken
+    )
+    marker = rng.marker(able)
+    return None if marker is None else with_opener(plan, marker)
+
+
+def acknowledgments(
+    plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon
+) -> SentencePlan | None:
+    """Answer the listener: "Yeah, …", "I see! You want …"."""
+    if plan.fragment is not None:
+        return _opener(plan, "acknowledgments", ("question",), rng, lexicon)
+    places = ("sentence", "utterance" if plan.first else "sentence")
+    if plan.answers:
+        places = (*places, "answer")
+    return _opener(plan, "acknowledgments", places, rng, lexicon)
+
+
+def filled_pauses(
+    plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon
+) -> SentencePlan | None:
+    """Hesitate: "Alice is, um, curious"; chatty speakers say "like" and "you know"."""
+    for index, clause in enumerate(plan.clauses):
+        if clause.link not in ("main", "coordinate") or not pause_fits(clause):
+            continue
+        opening = index == 0 and not plan.first and not plan.openers and opener_fits(plan)
+        able = tuple(
+            marker
+            for marker in lexicon.markers["filled_pauses"]
+            if marker.place == "pause" or opening
+        )
+        marker = rng.marker(able)
+        if marker is None:
+            continue
+        if marker.place == "opener":
+            return with_opener(plan, marker)
+        paused = replace(clause.clause, interruption=marker.text)
+        return replaced(plan, index, replace(clause, clause=paused), marker.text)
+    return None
+
+
+def expletives(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> SentencePlan | None:
+    """Swear: only with the rating "strong"."""
+    return _oath(plan, "expletives", rng, lexicon) if rng.rating == "strong" else None
+
+
+def near_expletives(
+    plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon
+) -> SentencePlan | None:
+    """Almost swear: "Oh my gosh, …", "darn clever"; not with the rating "clean"."""
+    return _oath(plan, "near_expletives", rng, lexicon) if rng.rating != "clean" else None
+
+
+def _oath(
+    plan: SentencePlan, kind: str, rng: OperatorDraws, lexicon: Lexicon
+) -> SentencePlan | None:
+    """Put an oath before an adjective that has no degree yet, or before the sentence."""
+    if plan.fragment is not None:
+        return None
+    for index, clause in enumerate(plan.clauses):
+        bare = SOFTENED not in clause.marks and EMPHASIZED not in clause.marks
+        spec = clause.clause
+        if not (clause.gradable and bare and clause.role == "assertion"):
+            continue
+        if spec.negated or spec.degree or clause.strength == "somewhat":
+            continue
+        marker = rng.marker([m for m in lexicon.markers[kind] if m.place == "degree"])
+        if marker is not None and rng.uniform("degree") < 0.5:
+            return replaced(plan, index, with_degree(clause, marker.text, EMPHASIZED), marker.text)
+    return _opener(plan, kind, ("opener",), rng, lexicon)
+
+
+def competence_mitigation(
+    plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon
+) -> SentencePlan | None:
+    """Say that it is common knowledge: "everybody knows that …"."""
+    if not plan.clauses or plan.connective or plan.openers or plan.clauses[0].frame is not None:
+        return None
+    first = plan.clauses[0]
+    alone = len(plan.clauses) == 1 and not first.clause.quotation
+    able = [
+        marker
+        for marker in lexicon.markers["competence_mitigation"]
+        if marker.place == "opener" or alone
+    ]
+    marker = rng.marker(able)
+    if marker is None:
+        return None
+    if marker.place == "opener":
+        return with_opener(plan, marker)
+    frame = Frame(marker.text, "clause", Text((marker.text,)), "", inner_tag=True)
+    return replaced(plan, 0, replace(first, frame=frame), marker.text)
+
+
+def tag_question(
+    plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon
+) -> SentencePlan | None:
+    """Ask back: "…, isn't she?", "…, right?"."""
+    if not plan.clauses or plan.afterthought or plan.tag or plan.false_start:
+        return None
+    last = plan.clauses[-1]
+    if last.link == "object_relative" or last.clause.quotation:
+        return None
+    host = [c for c in plan.clauses if c.link in ("main", "coordinate")][-1]
+    if host.frame is not None and not host.frame.inner_tag:
+        return None
+    if any(SOFTENED in clause.marks for clause in plan.clauses):
+        return None
+    agreeing = host.frame is None or host.frame.form == "clause"
+    able = [m for m in lexicon.markers["tag_question"] if m.text != "auto" or agreeing]
+    marker = rng.marker(able)
+    if marker is None:
+        return None
+    return replace(plan, tag=marker.text, words=(*plan.words, marker.text))
+
+
+def exclamation(
+    plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon
+) -> SentencePlan | None:
+    """End with an exclamation mark; not what is asked or hedged."""
+    if plan.fragment is not None or plan.tag or plan.afterthought or plan.terminal != ".":
+        return None
+    if any(SOFTENED in clause.marks for clause in plan.clauses):
+        return None
+    return replace(plan, terminal="!")
+
+
+def in_group_marker(
+    plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon
+) -> SentencePlan | None:
+    """Address the listener as one of us: "…, buddy!"."""
+    if plan.vocative or plan.terminal == "…" or plan.afterthought:
+        return None
+    if plan.clauses and plan.clauses[-1].clause.quotation:
+        return None
+    marker = rng.marker(lexicon.markers["in_group_marker"])
+    if marker is None:
+        return None
+    return replace(plan, vocative=marker.text, words=(*plan.words, marker.text))
+
+
+def stuttering(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> SentencePlan | None:
+    """Repeat the first letters of the name that opens the utterance: "Al-Alice" (figure 7)."""
+    if not plan.first or not plan.clauses:
+        return None
+    first = plan.clauses[0]
+    subject = first.clause.subject
+    if subject is None:
+        return None
+    times = 2 if rng.uniform("twice") < _TWICE else 1
+    if subject.possessor is not None:
+        stuttered = replace(subject, possessor=replace(subject.possessor, stutter=times))
+    else:
+        stuttered = replace(subject, stutter=times)
+    clause = replace(first, clause=replace(first.clause, subject=stuttered))
+    return replaced(plan, 0, clause, "stutter")
+
+
+def object_ellipsis(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> SentencePlan | None:
+    """Break off after the verb and start again: "Alice is … Alice is curious"."""
+    if not plan.clauses or plan.openers or plan.connective:
+        return None
+    first = plan.clauses[0]
+    if first.link != "main" or first.frame is not None or first.clause.interruption:
+        return None
+    if first.clause.verb not in ("be", "have") or any(
+        clause.link == "relative" for clause in plan.clauses
+    ):
+        return None
+    return replace(plan, false_start=True)

@@ -1,0 +1,143 @@
+"""Syntactic template selection: the frame each message is said in.
+
+Source: Mairesse & Walker 2011, section 4.2 (self-references, syntactic complexity, template
+polarity).
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from personage_lite.facts import Character
+from personage_lite.lexicon import TOPIC, Lexicon, Marker, Template
+from personage_lite.operators import OperatorDraws, Turn
+from personage_lite.plan import ClausePlan, ContentPlan, Decision, Frame, Message, Status
+from personage_lite.realizer.specification import AdjectivePhrase, Cased, NounPhrase, Text
+
+STAGE = "syntactic_template_selection"
+# In this order a message is offered a template; the first that is drawn and fits is taken.
+_PARAMETERS = ("self_references", "template_polarity", "syntactic_complexity")
+# Positive templates of no person are rarer than first-person ones.
+_IMPERSONAL = 0.12
+
+
+def plain_clause(message: Message, lexicon: Lexicon) -> ClausePlan:
+    """Return a message as a plain clause, with no frame around it."""
+    fact = message.fact
+    complement = fact.clause.complement
+    gradable = False
+    if isinstance(complement, AdjectivePhrase):
+        concept = lexicon.adjectives.get(complement.adjective)
+        gradable = concept is None or concept.gradable
+    return ClausePlan(
+        clause=fact.clause,
+        facts=(fact.id,),
+        polarity=fact.polarity,
+        strength=fact.strength,
+        gradable=gradable,
+        topic=fact.topic,
+        role=message.role,
+    )
+
+
+def lead_text(words: str, topic: NounPhrase) -> Text:
+    """Return a template's or opener's words with the character in place of {topic}.
+
+    >>> lead_text("you know {topic}", NounPhrase("Alice")).parts[0]
+    'you know'
+    """
+    before, mention, after = words.partition(TOPIC)
+    if not mention:
+        return Text((words,))
+    parts: list[str | Cased] = [before.strip()] if before.strip() else []
+    parts.append(Cased(topic))
+    for piece in after.replace(",", " , ").split("  "):
+        parts.extend(word for word in (piece.strip(),) if word)
+    return Text(tuple(parts))
+
+
+def fits(template: Template, plan: ClausePlan) -> bool:
+    """Whether a template is grammatical and true of a clause."""
+    clause = plan.clause
+    if plan.role != "assertion" or template.polarity not in ("", plan.polarity):
+        return False
+    if template.form == "degree":
+        return plan.gradable and not clause.negated and plan.strength != "somewhat"
+    if template.form == "someone_who":
+        subject = clause.subject
+        return subject is not None and bool(subject.entity) and not clause.quotation
+    return not (clause.quotation and template.complementizer)
+
+
+def framed(plan: ClausePlan, template: Template, lexicon: Lexicon, topic: NounPhrase) -> ClausePlan:
+    """Return a clause in a template's frame."""
+    if template.form == "someone_who":
+        subject = plan.clause.subject
+        animate = subject is not None and subject.animate
+        who = lexicon.someone["animate" if animate else "inanimate"]
+        lead: Text | None = Text((who,))
+    else:
+        lead = lead_text(template.lead, topic)
+    frame = Frame(
+        template.name, template.form, lead, template.complementizer, template.inner_tag
+    )
+    clause = replace(plan.clause, degree=True) if template.form == "degree" else plan.clause
+    return replace(plan, clause=clause, frame=frame)
+
+
+def select_templates(
+    plan: ContentPlan, character: Character, turn: Turn
+) -> tuple[list[ClausePlan], list[Decision], list[str]]:
+    """Give each message its clause, plain or framed; no two in a row are framed.
+
+    Returns the clauses, the decisions, and the templates and parameters used.
+    """
+    clauses: list[ClausePlan] = []
+    decisions: list[Decision] = []
+    used: list[str] = []
+    framed_before = False
+    for index, message in enumerate(plan.messages):
+        clause = plain_clause(message, turn.lexicon)
+        for name in _PARAMETERS:
+            probability = turn.probability(name)
+            if name == "template_polarity":
+                probability *= _IMPERSONAL
+            scope = f"{name}/{index}"
+            draw = turn.draws.uniform(scope)
+            status: Status = "not_drawn"
+            if draw < probability:
+                status = "not_applicable"
+                template = None
+                if not framed_before and clause.frame is None:
+                    template = _choose(name, clause, used, turn, turn.rng(scope))
+                if template is not None:
+                    clause = framed(clause, template, turn.lexicon, character.entity.phrase)
+                    used.extend((template.name, name))
+                    status = "applied"
+            target = f"message {index + 1}"
+            decisions.append(Decision(name, STAGE, round(probability, 4), draw, status, target))
+        framed_before = clause.frame is not None
+        clauses.append(clause)
+    return clauses, decisions, used
+
+
+def _choose(
+    parameter: str, clause: ClausePlan, used: list[str], turn: Turn, rng: OperatorDraws
+) -> Template | None:
+    """Choose among the templates that fit, by lean, freshness and connotation."""
+    liking = turn.parameters["template_polarity"]
+    weight = {"good": 2 * liking, "bad": 2 * (1 - liking), "": 1.0, "neutral": 1.0}
+    able = {
+        template.name: template
+        for template in turn.lexicon.templates
+        if template.parameter == parameter
+        and template.name not in used
+        and fits(template, clause)
+    }
+    chosen = rng.marker(
+        [
+            Marker(name, lean=item.lean, weight=item.weight * weight[item.connotation])
+            for name, item in able.items()
+        ]
+    )
+    return None if chosen is None else able[chosen.text]

@@ -1,0 +1,134 @@
+"""Style: what every generation parameter is worth at an extraversion X, as data.
+
+Source: Mairesse & Walker 2011, section 4 (parameters and their links to extraversion); the
+paper, section IV-C ("X does not set or activate parameters directly, but increases or decreases
+their probability").
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal, TypeAlias, cast
+
+from personage_lite.errors import PersonageError, nearest
+from personage_lite.randomness import Draws
+from personage_lite.yaml_reader import Node
+
+Direction: TypeAlias = Literal["rises", "falls", "steady", "split"]
+Stage: TypeAlias = Literal[
+    "content_planning",
+    "syntactic_template_selection",
+    "aggregation",
+    "pragmatic_markers",
+    "lexical_choice",
+    "referring_expressions",
+]
+
+STAGES: tuple[str, ...] = (
+    "content_planning",
+    "syntactic_template_selection",
+    "aggregation",
+    "pragmatic_markers",
+    "lexical_choice",
+    "referring_expressions",
+)
+LOWEST_X, HIGHEST_X = -2.0, 2.0
+_ANCHORS = 5
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """One generation parameter: its anchors are its values at X = -2, -1, 0, 1 and 2."""
+
+    name: str
+    stage: Stage
+    direction: Direction
+    anchors: tuple[float, ...]
+    does: str
+
+    def at(self, x: float) -> float:
+        """Return the value at X, interpolated between the anchors on either side."""
+        place = x - LOWEST_X
+        left = min(int(place), _ANCHORS - 2)
+        low, high = self.anchors[left], self.anchors[left + 1]
+        return low + (high - low) * (place - left)
+
+
+@dataclass(frozen=True, slots=True)
+class Style:
+    """A versioned set of parameters, with the deviation of the noise on their values."""
+
+    name: str
+    noise: float
+    parameters: dict[str, Parameter]
+
+    def values(
+        self, x: float, draws: Draws, overrides: Mapping[str, float] | None = None
+    ) -> dict[str, float]:
+        """Return every parameter's value for one utterance: anchored, noisy, within [0, 1].
+
+        A value of 0 or 1 means never or always and stays so; overridden values have no noise.
+        """
+        noise, gauss = self.noise, draws.gauss
+        found: dict[str, float] = {}
+        for name, parameter in self.parameters.items():
+            value = parameter.at(x)
+            if 0.0 < value < 1.0:
+                value += noise * gauss(name)
+                value = round(0.0 if value < 0.0 else 1.0 if value > 1.0 else value, 4)
+            found[name] = value
+        if overrides:
+            found.update(overrides)
+        return found
+
+
+def check_x(x: float) -> float:
+    """Return X as a float; raises `PersonageError` unless it is a number in [-2, 2]."""
+    try:
+        number = float(x)
+    except (TypeError, ValueError):
+        number = float("nan")
+    if not LOWEST_X <= number <= HIGHEST_X:
+        raise PersonageError(f"X is {x}; give a number from -2 (introvert) to 2 (extravert)")
+    return number
+
+
+def check_overrides(style: Style, overrides: Mapping[str, float]) -> dict[str, float]:
+    """Return the overrides as given; raises `PersonageError` for an unknown name or value."""
+    for name, value in overrides.items():
+        if name not in style.parameters:
+            raise PersonageError(f"no parameter '{name}'; {nearest(name, style.parameters)}")
+        if not 0.0 <= value <= 1.0:
+            raise PersonageError(f"{name} is {value:g}; give a number from 0 to 1")
+    return dict(overrides)
+
+
+def read_style(node: Node) -> Style:
+    """Read a style file; raises `DataError` for a value out of range or against its direction."""
+    parameters = {name: _parameter(name, item) for name, item in node.need("parameters").items()}
+    style = Style(node.need("name").text(), node.need("noise").number(0, 1), parameters)
+    node.done()
+    return style
+
+
+def _parameter(name: str, item: Node) -> Parameter:
+    listed = item.need("anchors")
+    anchors = tuple(value.number(0, 1) for value in listed.sequence())
+    if len(anchors) != _ANCHORS:
+        raise listed.fault(f"{len(anchors)} anchors", "give five, for X = -2, -1, 0, 1 and 2")
+    direction = item.need("direction").choice(("rises", "falls", "steady", "split"))
+    steps = [high - low for low, high in zip(anchors, anchors[1:], strict=False)]
+    if direction == "rises" and min(steps) < 0 or direction == "falls" and max(steps) > 0:
+        raise listed.fault(f"the anchors do not go with '{direction}'", "mend one or the other")
+    if direction == "steady" and any(steps):
+        raise listed.fault("the anchors differ", "write 'rises', 'falls' or 'split' instead")
+    parameter = Parameter(
+        name=name,
+        stage=cast(Stage, item.need("stage").choice(STAGES)),
+        direction=cast(Direction, direction),
+        anchors=anchors,
+        does=item.need("does").text(),
+    )
+    item.done()
+    return parameter

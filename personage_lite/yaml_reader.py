@@ -1,0 +1,221 @@
+"""Strict YAML: every value keeps its line, and nothing that YAML would silently change gets in.
+
+PyYAML turns `yes` and `no` into truth values and keeps the last of two equal keys; both are
+refused here, because a word list that holds "no" must hold the word.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from personage_lite.errors import DataError, PersonageError, nearest
+
+# The C parser is several times faster; a machine without libyaml still works.
+_Loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+_STR = "tag:yaml.org,2002:str"
+_INT = "tag:yaml.org,2002:int"
+_FLOAT = "tag:yaml.org,2002:float"
+_BOOL = "tag:yaml.org,2002:bool"
+_NULL = "tag:yaml.org,2002:null"
+
+
+class Node:
+    """A YAML value that knows its file and line, read with checks instead of trust.
+
+    Each reader names the file, the line and the remedy when the value is not of its kind.
+    """
+
+    __slots__ = ("_node", "_map", "_read", "file")
+
+    def __init__(self, node: yaml.Node, file: str) -> None:
+        self._node = node
+        self.file = file
+        self._map: dict[str, Node] | None = None
+        self._read: set[str] = set()
+
+    @property
+    def line(self) -> int:
+        """The line of the value in its file, from 1."""
+        return int(self._node.start_mark.line) + 1
+
+    def fault(self, what: str, remedy: str) -> DataError:
+        """Return (not raise) the error that points at this value."""
+        return DataError(self.file, self.line, what, remedy)
+
+    # Mappings
+
+    def mapping(self) -> dict[str, Node]:
+        """Return the value as a mapping from text keys to nodes; equal keys are an error."""
+        if self._map is None:
+            if not isinstance(self._node, yaml.MappingNode):
+                raise self.fault("expected 'key: value' pairs", "write one 'key: value' a line")
+            found: dict[str, Node] = {}
+            for key, value in self._node.value:
+                name = Node(key, self.file).text()
+                if name in found:
+                    raise DataError(
+                        self.file,
+                        int(key.start_mark.line) + 1,
+                        f"the key '{name}' stands here a second time",
+                        f"remove one of the two (the first is in line {found[name].line})",
+                    )
+                found[name] = Node(value, self.file)
+            self._map = found
+        return self._map
+
+    def items(self) -> Iterator[tuple[str, Node]]:
+        """Iterate over the pairs of a mapping."""
+        return iter(self.mapping().items())
+
+    def get(self, key: str) -> Node | None:
+        """Return the value under `key`, or None, and note that `key` is known."""
+        self._read.add(key)
+        return self.mapping().get(key)
+
+    def need(self, key: str) -> Node:
+        """Return the value under `key`; it is an error if there is none."""
+        found = self.get(key)
+        if found is None:
+            raise self.fault(f"'{key}' is missing", f"add '{key}: …'")
+        return found
+
+    def done(self) -> None:
+        """Refuse every key that nobody asked for: a misspelt field is an error, not a surprise."""
+        for key, value in self.mapping().items():
+            if key not in self._read:
+                raise value.fault(f"unknown field '{key}'", nearest(key, self._read))
+
+    def text_of(self, key: str, default: str = "") -> str:
+        """Return the text under `key`, or `default`."""
+        found = self.get(key)
+        return default if found is None else found.text()
+
+    def flag_of(self, key: str) -> bool:
+        """Return the truth value under `key`, or False."""
+        found = self.get(key)
+        return False if found is None else found.flag()
+
+    def choice_of(self, key: str, choices: tuple[str, ...], default: str) -> str:
+        """Return the text under `key`, which must be one of `choices`, or `default`."""
+        found = self.get(key)
+        return default if found is None else found.choice(choices)
+
+    def texts_of(self, key: str) -> tuple[str, ...]:
+        """Return the texts under `key`, or nothing."""
+        found = self.get(key)
+        return () if found is None else found.texts()
+
+    def number_of(self, key: str, low: float, high: float, default: float) -> float:
+        """Return the number under `key`, within `low` … `high`, or `default`."""
+        found = self.get(key)
+        return default if found is None else found.number(low, high)
+
+    # Sequences
+
+    def sequence(self) -> list[Node]:
+        """Return the value as a list of nodes."""
+        if not isinstance(self._node, yaml.SequenceNode):
+            raise self.fault("expected a list", "write it as [a, b] or one '- item' a line")
+        return [Node(item, self.file) for item in self._node.value]
+
+    def texts(self) -> tuple[str, ...]:
+        """Return the value as a list of at least one text."""
+        found = tuple(item.text() for item in self.sequence())
+        if not found:
+            raise self.fault("the list is empty", "add at least one item, or remove the key")
+        return found
+
+    def is_sequence(self) -> bool:
+        """Whether the value is a list."""
+        return isinstance(self._node, yaml.SequenceNode)
+
+    # Scalars
+
+    def is_text(self) -> bool:
+        """Whether the value is a single text."""
+        return isinstance(self._node, yaml.ScalarNode)
+
+    def _scalar(self) -> tuple[str, str]:
+        if not isinstance(self._node, yaml.ScalarNode):
+            raise self.fault("expected a single value", "write one word, text or number here")
+        return self._node.tag, str(self._node.value)
+
+    def text(self) -> str:
+        """Return the value as text; a number or a bare yes / no is an error, never a guess."""
+        tag, value = self._scalar()
+        if tag == _BOOL:
+            raise self.fault(
+                f"'{value}' is a truth value in YAML, not a word", f'put it in quotes: "{value}"'
+            )
+        if tag != _STR:
+            kind = "nothing" if tag == _NULL else f"'{value}'"
+            raise self.fault(f"expected text, found {kind}", 'write a text, in "quotes" if in doubt')
+        if not value.strip():
+            raise self.fault("the text is empty", "write at least one word, or remove the key")
+        return value
+
+    def flag(self) -> bool:
+        """Return the value as a truth value; only true and false count."""
+        tag, value = self._scalar()
+        if tag == _BOOL and value.lower() in ("true", "false"):
+            return value.lower() == "true"
+        raise self.fault(f"expected true or false, found '{value}'", "write true or false")
+
+    def choice(self, choices: tuple[str, ...]) -> str:
+        """Return the value, which must be one of `choices`."""
+        value = self.text()
+        if value not in choices:
+            raise self.fault(f"'{value}' is not possible here", f"choose from: {', '.join(choices)}")
+        return value
+
+    def number(self, low: float, high: float) -> float:
+        """Return the value as a number within `low` … `high`."""
+        tag, value = self._scalar()
+        if tag not in (_INT, _FLOAT):
+            raise self.fault(f"expected a number, found '{value}'", f"write {low:g} to {high:g}")
+        try:
+            number = float(value.replace("_", ""))
+        except ValueError:
+            number = float("nan")
+        if not low <= number <= high:
+            raise self.fault(f"{value} is out of range", f"write a number from {low:g} to {high:g}")
+        return number
+
+    def integer(self, low: int, high: int) -> int:
+        """Return the value as a whole number within `low` … `high`."""
+        number = self.number(low, high)
+        if number != int(number):
+            raise self.fault(f"expected a whole number, found {number:g}", "drop the decimals")
+        return int(number)
+
+
+def read_yaml(path: Path, shown: str | None = None) -> Node:
+    """Parse one YAML file into a `Node`; `shown` is how error messages name the file.
+
+    Raises `PersonageError` if the file cannot be read and `DataError` if it is not YAML.
+    """
+    name = shown or str(path)
+    try:
+        content = path.read_bytes().decode("utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        reason = error.strerror if isinstance(error, OSError) else "it is not UTF-8 text"
+        raise PersonageError(f"{name}: cannot be read ({reason}); check the path") from None
+    return parse_yaml(content, name)
+
+
+def parse_yaml(content: str, name: str) -> Node:
+    """Parse YAML text into a `Node`; `name` is how error messages call it."""
+    try:
+        node = yaml.compose(content, Loader=_Loader)
+    except yaml.YAMLError as error:
+        mark = getattr(error, "problem_mark", None)
+        line = mark.line + 1 if mark else 1
+        problem = getattr(error, "problem", None) or str(error).splitlines()[0]
+        raise DataError(name, line, f"not valid YAML ({problem})", "mend the syntax") from None
+    if node is None:
+        raise DataError(name, 1, "the file is empty", "see docs/facts.md for what it holds")
+    return Node(node, name)
