@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from personage_lite.data import data_folder
@@ -50,7 +50,7 @@ def check_lexicons(folder: Path) -> Report:
         f"{len(lexicon.adjectives)} adjectives, {len(lexicon.verbs)} verbs)"
     )
     needed = [operator.name for operator in PRAGMATIC_MARKERS]
-    needed += [template.parameter for template in lexicon.templates]
+    needed += list(lexicon.templates)
     for name in dict.fromkeys(needed):
         if name not in style.parameters:
             remedy = nearest(name, style.parameters)
@@ -87,7 +87,7 @@ def _content_faults(character: Character, lexicon: Lexicon) -> list[DataError]:
     faults = []
     seen: dict[object, tuple[bool, str]] = {}
     for fact in character.facts:
-        key = replace(fact.clause, negated=False, negator="not")
+        key = fact.clause._replace(negated=False, negator="not")
         if key in seen:
             negated, other = seen[key]
             what = "says the same as" if negated == fact.clause.negated else "contradicts"

@@ -6,14 +6,14 @@ the choice. Source: Mairesse & Walker 2011, section 4.1; the paper, section IV-C
 
 from __future__ import annotations
 
-from dataclasses import replace
-from math import floor, log
+from math import floor
 
-from personage_lite.facts import Character, Fact, Relation
+from personage_lite.facts import POLARITIES, STRENGTHS, Character, Fact, Relation
+from personage_lite.operators import Turn
 from personage_lite.plan import ContentPlan, Decision, Link, Message, Role, Status
 from personage_lite.realizer.specification import AdjectivePhrase
-from personage_lite.operators import Turn
 
+STAGE = "content_planning"
 # The most facts that verbosity adds to the first one.
 _MOST_MORE = 6.0
 # How much likelier a fact is that has a relation to the last one, by kind of relation.
@@ -31,84 +31,58 @@ _OTHER_SUBJECT_FIRST = 0.3
 _NOTHING = Link("none")
 
 
-class _Planner:
-    """One turn's content planning; lives no longer than the turn."""
+class _Choice:
+    """The facts that can be told next in one turn; lives no longer than the turn."""
 
     def __init__(self, character: Character, turn: Turn) -> None:
-        self.character = character
-        self.turn = turn
-        self.parameters = turn.parameters
-        self.draws = draws = turn.draws
-        self.state = state = turn.state
-        self.decisions: list[Decision] = []
-        told = {fact.id: state.times_told(character.entity.id, fact.id) for fact in character.facts}
-        fewest = min(told.values())
-        self.fresh = [fact for fact in character.facts if told[fact.id] == fewest]
-        self.open = {fact.id for fact in self.fresh}
-        self.weights = {fact.id: self._weight(fact) for fact in self.fresh}
-        self.races = {fact.id: -log(draws.uniform(f"fact/{fact.id}") + 1e-12) for fact in self.fresh}
-
-    def decide(self, name: str) -> bool:
-        """Draw for a planning decision and note it."""
-        probability = self.turn.probability(name)
-        draw = self.draws.uniform(name)
-        status: Status = "applied" if draw < probability else "not_drawn"
-        self.note(name, probability, draw, status)
-        return draw < probability
-
-    def note(
-        self, name: str, probability: float, draw: float, status: Status, target: str = ""
-    ) -> None:
-        """Record a decision of this stage."""
-        self.decisions.append(
-            Decision(name, "content_planning", probability, draw, status, target)
-        )
-
-    def _weight(self, fact: Fact) -> float:
-        """How readily a fact is told, by its polarity and strength."""
-        liking = self.parameters["content_polarity"]
-        extreme = self.parameters["polarization"]
-        weight = 1.0
-        if fact.polarity != "neutral":
-            weight = 2 * (liking if fact.polarity == "good" else 1 - liking) + 0.05
-        if fact.strength != "plainly":
-            weight *= 2 * (extreme if fact.strength == "extremely" else 1 - extreme) + 0.05
-        return weight
-
-    def choose(self, last: Fact | None, spoken: bool) -> Fact | None:
-        """Return the fact to tell after `last`: the winner of a weighted race.
-
-        `spoken` says that `last` is in this utterance, not in the one before.
-        """
-        related = self._related(last) if last is not None else {}
-        entity = self.character.entity.id
-        best, best_time = None, float("inf")
-        for fact in self.fresh:
-            key = fact.id
-            if key not in self.open or not self._ready(key):
-                continue
-            weight = self.weights[key]
-            if last is None or not spoken:
-                if fact.clause.subject is not None and fact.clause.subject.entity != entity:
-                    weight *= _OTHER_SUBJECT_FIRST
-            if last is not None and fact.topic == last.topic:
-                weight *= _SAME_TOPIC
-            weight *= related.get(key, 1.0)
-            time = self.races[key] / weight
-            if time < best_time:
-                best, best_time = fact, time
-        if best is not None:
-            self.open.discard(best.id)
-        return best
+        self._character = character
+        self._turn = turn
+        told = turn.state.told_of(character.entity.id)
+        fewest = min(told.get(key, 0) for key in character.by_id) if told else 0
+        self._open = {key for key in character.by_id if told.get(key, 0) == fewest}
+        self._table = _weights(turn.parameters)
+        # A weight for each fact in the order of the file; 0 for what cannot be told now.
+        self._weights = [
+            self._table[fact.polarity, fact.strength] if self._ready(fact.id) else 0.0
+            for fact in character.facts
+        ]
 
     def _ready(self, key: str) -> bool:
-        """Whether all that must be told before a fact has been told."""
-        return not any(first in self.open for first in self.character.prerequisites.get(key, ()))
+        """Whether a fact is open and all that must be told before it has been told."""
+        before = self._character.prerequisites.get(key)
+        return key in self._open and (before is None or self._open.isdisjoint(before))
+
+    def take(self, last: Fact | None, index: int) -> Fact | None:
+        """Return the fact to tell after `last`, drawn by weight; None when nothing is open.
+
+        `index` is its place in this utterance: the first one should be about the character.
+        """
+        if not self._open:
+            return None
+        character, weights = self._character, self._weights.copy()
+        places = character.places
+        if last is not None:
+            for place in character.by_topic[last.topic]:
+                weights[place] *= _SAME_TOPIC
+            for key, factor in self._related(last).items():
+                weights[places[key]] *= factor
+        if not index:
+            for place in character.by_others:
+                weights[place] *= _OTHER_SUBJECT_FIRST
+        fact = self._turn.draws.choose(f"fact/{index}", character.facts, weights)
+        self._open.discard(fact.id)
+        self._weights[places[fact.id]] = 0.0
+        for key in character.unlocks.get(fact.id, ()):
+            # What waited for this fact alone can now be told.
+            if self._ready(key):
+                opened = character.by_id[key]
+                self._weights[places[key]] = self._table[opened.polarity, opened.strength]
+        return fact
 
     def _related(self, last: Fact) -> dict[str, float]:
         factors: dict[str, float] = {}
-        concessions = 2 * self.parameters["concessions"]
-        for relation in self.character.related.get(last.id, ()):
+        concessions = 2 * self._turn.parameters["concessions"]
+        for relation in self._character.related.get(last.id, ()):
             other = relation.satellite if relation.nucleus == last.id else relation.nucleus
             factor = _RELATED[relation.kind]
             if relation.kind in _OPPOSING:
@@ -116,21 +90,53 @@ class _Planner:
             factors[other] = max(factor, factors.get(other, 0.0))
         return factors
 
+
+def _weights(parameters: dict[str, float]) -> dict[tuple[str, str], float]:
+    """Return how readily a fact is told, by its polarity and strength."""
+    liking, extreme = parameters["content_polarity"], parameters["polarization"]
+    polarity = {"good": 2 * liking + 0.05, "neutral": 1.0, "bad": 2 * (1 - liking) + 0.05}
+    strength = {
+        "extremely": 2 * extreme + 0.05,
+        "plainly": 1.0,
+        "somewhat": 2 * (1 - extreme) + 0.05,
+    }
+    return {(one, other): polarity[one] * strength[other] for one in POLARITIES for other in STRENGTHS}
+
+
+class _Planner:
+    """One turn's planning after the choice: links, order, stress and what is said again."""
+
+    def __init__(self, character: Character, turn: Turn) -> None:
+        self.character = character
+        self.turn = turn
+        self.decisions: list[Decision] = []
+
+    def decide(self, name: str) -> bool:
+        """Draw for a planning decision and note it."""
+        probability = self.turn.probability(name)
+        draw = self.turn.draws.uniform(name)
+        status: Status = "applied" if draw < probability else "not_drawn"
+        self.decisions.append(Decision(name, STAGE, probability, draw, status))
+        return draw < probability
+
     def chosen(self) -> list[Fact]:
         """Return the facts of this turn in the order of choice."""
-        verbosity, draw = self.parameters["verbosity"], self.draws.uniform("verbosity")
+        state, draws = self.turn.state, self.turn.draws
+        verbosity, draw = self.turn.parameters["verbosity"], draws.uniform("verbosity")
         count = 1 + floor(_MOST_MORE * verbosity + draw)
-        self.note("verbosity", verbosity, draw, "applied", f"{count} facts")
         last = None
-        if self.state.topic == self.character.entity.id:
-            last = self.character.by_id.get(self.state.last_fact)
+        if state.topic == self.character.entity.id:
+            last = self.character.by_id.get(state.last_fact)
+        choice = _Choice(self.character, self.turn)
         facts: list[Fact] = []
         while len(facts) < count:
-            fact = self.choose(last, spoken=bool(facts))
+            fact = choice.take(last, len(facts))
             if fact is None:
                 break
             facts.append(fact)
             last = fact
+        target = f"{len(facts)} facts"
+        self.decisions.append(Decision("verbosity", STAGE, verbosity, draw, "applied", target))
         return facts
 
     def link(self, left: Fact, right: Fact) -> Link:
@@ -157,10 +163,9 @@ class _Planner:
         """
         stressed = []
         for link, left, right in zip(links, messages, messages[1:], strict=False):
-            polarities = (left.fact.polarity, right.fact.polarity)
-            opposed = sorted(polarities) == ["bad", "good"]
+            opposed = {left.fact.polarity, right.fact.polarity} == {"good", "bad"}
             if link.kind == "concession" and opposed and self.decide("concession_polarity"):
-                link = replace(link, satellite_first=left.fact.polarity == "bad")
+                link = link._replace(satellite_first=left.fact.polarity == "bad")
             stressed.append(link)
         return stressed
 
@@ -184,30 +189,26 @@ class _Planner:
                     return facts
         return ordered
 
-    def say_again(self, messages: list[Message]) -> list[Message]:
+    def say_again(self, messages: list[Message]) -> None:
         """Put a repetition and a restatement after messages that allow one."""
-        liking = self.parameters["repetition_polarity"]
+        liking = self.turn.parameters["repetition_polarity"]
         kinds: tuple[tuple[str, Role], ...] = (
             ("repetitions", "repetition"),
             ("restatements", "restatement"),
         )
         for name, role in kinds:
-            probability, draw = self.parameters[name], self.draws.uniform(name)
-            if draw >= probability:
-                self.note(name, probability, draw, "not_drawn")
+            if not self.decide(name):
                 continue
             able = [index for index, message in enumerate(messages) if _repeatable(messages, index)]
-            weights = [
-                {"good": liking, "neutral": 0.5, "bad": 1 - liking}[messages[i].fact.polarity] + 0.02
-                for i in able
-            ]
             if not able:
-                self.note(name, probability, draw, "not_applicable")
+                self.decisions[-1] = self.decisions[-1]._replace(status="not_applicable")
                 continue
-            index = self.draws.choose(f"{name}/which", able, weights)
-            messages.insert(index + 1, Message(messages[index].fact, role))
-            self.note(name, probability, draw, "applied", messages[index].fact.id)
-        return messages
+            weight = {"good": liking + 0.02, "neutral": 0.5, "bad": 1.02 - liking}
+            weights = [weight[messages[index].fact.polarity] for index in able]
+            index = self.turn.draws.choose(f"{name}/which", able, weights)
+            fact = messages[index].fact
+            messages.insert(index + 1, Message(fact, role))
+            self.decisions[-1] = self.decisions[-1]._replace(target=fact.id)
 
 
 def _repeatable(messages: list[Message], index: int) -> bool:
@@ -229,17 +230,17 @@ def plan_content(character: Character, turn: Turn) -> tuple[ContentPlan, list[De
     any is told again; what elaborates or follows another fact waits for it.
     """
     planner = _Planner(character, turn)
-    facts = planner.order(planner.chosen())
-    messages = planner.say_again([Message(fact) for fact in facts])
-    links: list[Link] = []
-    for left, right in zip(messages, messages[1:], strict=False):
-        if right.role == "assertion":
-            links.append(planner.link(left.fact, right.fact))
-        else:
-            links.append(Link("restatement"))
+    messages = [Message(fact) for fact in planner.order(planner.chosen())]
+    planner.say_again(messages)
+    links = [
+        planner.link(left.fact, right.fact)
+        if right.role == "assertion"
+        else Link("restatement")
+        for left, right in zip(messages, messages[1:], strict=False)
+    ]
     links = planner.stress(links, messages)
-    fresh_topic = turn.state.topic != character.entity.id
-    confirmation = fresh_topic and planner.decide("request_confirmation")
+    new_topic = turn.state.topic != character.entity.id
+    confirmation = new_topic and planner.decide("request_confirmation")
     rejection = not confirmation and planner.decide("initial_rejection")
     mitigation = not rejection and planner.decide("competence_mitigation")
     plan = ContentPlan(tuple(messages), tuple(links), confirmation, rejection, mitigation)

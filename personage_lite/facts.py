@@ -5,8 +5,7 @@ The format is described in docs/facts.md; `facts_reader` reads it.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
-from typing import Literal, TypeAlias
+from typing import Literal, NamedTuple, TypeAlias
 
 from personage_lite.realizer.specification import Clause, Gender, NounPhrase, Number
 
@@ -30,56 +29,66 @@ RELATION_KINDS: tuple[str, ...] = (
 ORDERED_KINDS: tuple[str, ...] = ("elaboration", "sequence")
 
 
-@dataclass(frozen=True, slots=True)
-class Entity:
-    """Someone or something that facts are about or mention.
+class Entity(NamedTuple):
+    """Someone or something that facts are about or mention; made by `entity`.
 
-    `name` is the full name, `short_name` what is said once it is clear who is meant, `nouns`
-    what "the …" can call it. `phrase` is the noun phrase of the full name.
+    `phrase` is the noun phrase of the full name, `short_phrase` of what is said once it is clear
+    who is meant, `pronoun` of the pronoun; `descriptions` are what "the …" can call it.
     """
 
     id: str
     name: str
-    short_name: str
-    gender: Gender
-    number: Number
-    animate: bool
     nouns: tuple[str, ...]
-    phrase: NounPhrase = field(init=False)
-    short_phrase: NounPhrase = field(init=False)
-    pronoun: NounPhrase = field(init=False)
-    descriptions: tuple[NounPhrase, ...] = field(init=False)
-
-    def __post_init__(self) -> None:
-        def phrase(words: str) -> NounPhrase:
-            article, _, rest = words.partition(" ")
-            determiner, noun = ("the", rest) if article.lower() == "the" and rest else ("", words)
-            return NounPhrase(
-                noun,
-                determiner=determiner,
-                number=self.number,
-                gender=self.gender,
-                animate=self.animate,
-                entity=self.id,
-            )
-
-        full = phrase(self.name)
-        object.__setattr__(self, "phrase", full)
-        object.__setattr__(self, "short_phrase", phrase(self.short_name))
-        object.__setattr__(self, "pronoun", replace(full, pronoun=True))
-        described = tuple(phrase(f"the {noun}") for noun in self.nouns)
-        object.__setattr__(self, "descriptions", described)
+    phrase: NounPhrase
+    short_phrase: NounPhrase
+    pronoun: NounPhrase
+    descriptions: tuple[NounPhrase, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Fact:
+def entity(
+    key: str,
+    name: str,
+    short_name: str = "",
+    gender: Gender = "neuter",
+    number: Number = "singular",
+    animate: bool = False,
+    nouns: tuple[str, ...] = (),
+) -> Entity:
+    """Make an entity from its names; a leading "the" becomes the determiner.
+
+    >>> entity("white_rabbit", "the White Rabbit", nouns=("rabbit",)).descriptions[0].noun
+    'rabbit'
+    """
+
+    def phrase(words: str) -> NounPhrase:
+        article, _, rest = words.partition(" ")
+        determiner, noun = ("the", rest) if article.lower() == "the" and rest else ("", words)
+        return NounPhrase(
+            noun, determiner, number=number, gender=gender, animate=animate, entity=key
+        )
+
+    full = phrase(name)
+    return Entity(
+        id=key,
+        name=name,
+        nouns=nouns,
+        phrase=full,
+        short_phrase=phrase(short_name or name),
+        pronoun=full._replace(pronoun=True),
+        descriptions=tuple(phrase(f"the {noun}") for noun in nouns),
+    )
+
+
+class Fact(NamedTuple):
     """One proposition: its clause in deep syntax, and what planning needs to know of it.
 
     `clause.negated` is what is true; `polarity` is whether it is good or bad news: never the
-    same thing. The clause names concepts of the lexicon where it has them.
+    same thing. The clause names concepts of the lexicon where it has them. `about` is the entity
+    that is the subject, or whose part is.
     """
 
     id: str
+    about: str
     clause: Clause
     polarity: Polarity
     strength: Strength
@@ -90,8 +99,7 @@ class Fact:
     mentions: frozenset[str]
 
 
-@dataclass(frozen=True, slots=True)
-class Relation:
+class Relation(NamedTuple):
     """A rhetorical relation that holds between two facts (Mann & Thompson 1988)."""
 
     kind: RelationKind
@@ -100,9 +108,14 @@ class Relation:
     line: int = 0
 
 
-@dataclass(frozen=True, slots=True)
-class Character:
-    """All that is known of one entity; any kind of thing can be the character."""
+class Character(NamedTuple):
+    """All that is known of one entity, made by `character`; any kind of thing can be one.
+
+    `places` holds each fact's place in the file, `by_topic` the places of each topic's facts,
+    `by_others` the places of those that are about somebody else. `related` holds each fact's
+    relations; `prerequisites` the facts that must be told before a
+    fact makes sense, `unlocks` the same the other way round.
+    """
 
     entity: Entity
     entities: dict[str, Entity]
@@ -110,19 +123,49 @@ class Character:
     relations: tuple[Relation, ...]
     source: str
     file: str
-    by_id: dict[str, Fact] = field(init=False)
-    related: dict[str, tuple[Relation, ...]] = field(init=False)
-    prerequisites: dict[str, tuple[str, ...]] = field(init=False)
+    by_id: dict[str, Fact]
+    places: dict[str, int]
+    by_topic: dict[str, tuple[int, ...]]
+    by_others: tuple[int, ...]
+    related: dict[str, tuple[Relation, ...]]
+    prerequisites: dict[str, tuple[str, ...]]
+    unlocks: dict[str, tuple[str, ...]]
 
-    def __post_init__(self) -> None:
-        related: dict[str, tuple[Relation, ...]] = {}
-        prerequisites: dict[str, tuple[str, ...]] = {}
-        for relation in self.relations:
-            for end in (relation.nucleus, relation.satellite):
-                related[end] = (*related.get(end, ()), relation)
-            if relation.kind in ORDERED_KINDS:
-                first, second = relation.nucleus, relation.satellite
-                prerequisites[second] = (*prerequisites.get(second, ()), first)
-        object.__setattr__(self, "by_id", {fact.id: fact for fact in self.facts})
-        object.__setattr__(self, "related", related)
-        object.__setattr__(self, "prerequisites", prerequisites)
+
+def character(
+    about: Entity,
+    entities: dict[str, Entity],
+    facts: tuple[Fact, ...],
+    relations: tuple[Relation, ...],
+    source: str,
+    file: str,
+) -> Character:
+    """Make a character, with the look-up tables that planning needs."""
+    by_topic: dict[str, tuple[int, ...]] = {}
+    for place, fact in enumerate(facts):
+        by_topic[fact.topic] = (*by_topic.get(fact.topic, ()), place)
+    related: dict[str, tuple[Relation, ...]] = {}
+    prerequisites: dict[str, tuple[str, ...]] = {}
+    unlocks: dict[str, tuple[str, ...]] = {}
+    for relation in relations:
+        first, second = relation.nucleus, relation.satellite
+        for end in (first, second):
+            related[end] = (*related.get(end, ()), relation)
+        if relation.kind in ORDERED_KINDS:
+            prerequisites[second] = (*prerequisites.get(second, ()), first)
+            unlocks[first] = (*unlocks.get(first, ()), second)
+    return Character(
+        entity=about,
+        entities=entities,
+        facts=facts,
+        relations=relations,
+        source=source,
+        file=file,
+        by_id={fact.id: fact for fact in facts},
+        places={fact.id: place for place, fact in enumerate(facts)},
+        by_topic=by_topic,
+        by_others=tuple(place for place, fact in enumerate(facts) if fact.about != about.id),
+        related=related,
+        prerequisites=prerequisites,
+        unlocks=unlocks,
+    )

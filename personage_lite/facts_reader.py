@@ -21,6 +21,8 @@ from personage_lite.facts import (
     Relation,
     RelationKind,
     Strength,
+    character,
+    entity,
 )
 from personage_lite.realizer.specification import (
     AdjectivePhrase,
@@ -64,7 +66,9 @@ def character_files(place: Path) -> dict[str, Path]:
         raise PersonageError(f"{place}: no such file or folder; check the path of --facts")
     files = sorted(path for path in place.rglob("*.yaml") if path.name != ENTITIES_FILE)
     if not files:
-        raise PersonageError(f"{place}: holds no facts file; see docs/facts.md for how to write one")
+        raise PersonageError(
+            f"{place}: holds no facts file; see docs/facts.md for how to write one"
+        )
     return {path.stem: path for path in files}
 
 
@@ -121,7 +125,7 @@ def read_character(path: Path, faults: list[DataError] | None = None) -> Charact
             relations.append(_relation(item, facts))
     source = node.text_of("source")
     node.done()
-    character = Character(
+    found = character(
         entities[about.text()],
         entities,
         tuple(facts.values()),
@@ -129,8 +133,8 @@ def read_character(path: Path, faults: list[DataError] | None = None) -> Charact
         source,
         str(path),
     )
-    _refuse_cycles(character, node)
-    return character
+    _refuse_cycles(found, node.file)
+    return found
 
 
 @contextmanager
@@ -152,10 +156,10 @@ def _read_entities(node: Node, found: dict[str, Entity]) -> None:
         name = item.need("name").text()
         if not any(letter.isalpha() for letter in name) or len(name) > 80:
             raise item.need("name").fault("this is no name", "write a name of up to 80 letters")
-        found[key] = Entity(
-            id=key,
-            name=name,
-            short_name=item.text_of("short_name", name),
+        found[key] = entity(
+            key,
+            name,
+            short_name=item.text_of("short_name"),
             gender=cast(
                 Gender, item.choice_of("gender", ("masculine", "feminine", "neuter"), "neuter")
             ),
@@ -258,8 +262,11 @@ class _FactReader:
         if item.get("negator") is not None and not clause.negated:
             raise item.fault("a negator, but nothing negated", "add 'negated: true'")
         chapter = item.get("chapter")
+        subject = clause.subject
+        assert subject is not None
         fact = Fact(
             id=key,
+            about=(subject.possessor or subject).entity,
             clause=clause,
             polarity=cast(Polarity, item.choice_of("polarity", POLARITIES, "neutral")),
             strength=cast(Strength, item.choice_of("strength", STRENGTHS, "plainly")),
@@ -294,23 +301,23 @@ def _relation(item: Node, facts: dict[str, Fact]) -> Relation:
     return Relation(kind, ends[0], ends[1], item.line)
 
 
-def _refuse_cycles(character: Character, node: Node) -> None:
+def _refuse_cycles(about: Character, file: str) -> None:
     """Sequence and elaboration say what comes first: a circle of them could never be told."""
-    open_facts = {fact.id for fact in character.facts}
+    open_facts = {fact.id for fact in about.facts}
     while open_facts:
         free = {
             key
             for key in open_facts
-            if not any(first in open_facts for first in character.prerequisites.get(key, ()))
+            if not any(first in open_facts for first in about.prerequisites.get(key, ()))
         }
         if not free:
             line = min(
                 relation.line
-                for relation in character.relations
+                for relation in about.relations
                 if relation.kind in ORDERED_KINDS and relation.satellite in open_facts
             )
             raise DataError(
-                node.file,
+                file,
                 line,
                 f"{', '.join(sorted(open_facts))} wait for each other",
                 "remove one elaboration or sequence of the circle",

@@ -5,9 +5,8 @@ Whoever adds a hedge or a synonym edits the YAML; the code knows operators, not 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal, TypeAlias
+from typing import Literal, NamedTuple, TypeAlias
 
 from personage_lite.facts import POLARITIES
 from personage_lite.realizer.grammar import Grammar, read_grammar
@@ -34,8 +33,7 @@ Rating: TypeAlias = Literal["clean", "mild", "strong"]
 TOPIC = "{topic}"
 
 
-@dataclass(frozen=True, slots=True)
-class Marker:
+class Marker(NamedTuple):
     """Words that an operator can insert, and where they can stand.
 
     `lean` in [-1, 1] says who uses them, introverts (-1) or extraverts (1). For cue words,
@@ -55,9 +53,11 @@ class Marker:
     verbs: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Template:
-    """A syntactic frame for a proposition; see lexicons/templates.yaml for the fields."""
+class Template(NamedTuple):
+    """A syntactic frame for a proposition; see lexicons/templates.yaml for the fields.
+
+    `marker` stands for it in weighted choices: its name, lean and weight.
+    """
 
     name: str
     parameter: str
@@ -66,13 +66,11 @@ class Template:
     complementizer: str
     polarity: str
     connotation: str
-    lean: float
-    weight: float
     inner_tag: bool
+    marker: Marker
 
 
-@dataclass(frozen=True, slots=True)
-class Word:
+class Word(NamedTuple):
     """One word for a concept: how common (0-1), how strong (0-1), how positive (-1 to 1)."""
 
     text: str
@@ -82,8 +80,7 @@ class Word:
     emotion: float = 0.0
 
 
-@dataclass(frozen=True, slots=True)
-class Concept:
+class Concept(NamedTuple):
     """What a fact names and the words that can say it.
 
     `antonyms` are words whose negation says the same ("isn't dull" for imaginative). An
@@ -96,12 +93,11 @@ class Concept:
     gradable: bool = True
 
 
-@dataclass(frozen=True, slots=True)
-class Lexicon:
+class Lexicon(NamedTuple):
     """All words that generation can choose from; read-only, threads may share it."""
 
     markers: dict[str, tuple[Marker, ...]]
-    templates: tuple[Template, ...]
+    templates: dict[str, tuple[Template, ...]]
     someone: dict[str, str]
     adjectives: dict[str, Concept]
     verbs: dict[str, Concept]
@@ -185,30 +181,34 @@ def _marker(item: Node) -> Marker:
     return marker
 
 
-def _read_templates(node: Node) -> tuple[tuple[Template, ...], dict[str, str]]:
-    templates = []
+def _read_templates(node: Node) -> tuple[dict[str, tuple[Template, ...]], dict[str, str]]:
+    """Return the templates by the parameter that makes them likelier, and the words "someone"."""
+    templates: dict[str, tuple[Template, ...]] = {}
     for name, item in node.need("templates").items():
         form = item.need("form").choice(("clause", "degree", "someone_who"))
-        templates.append(
-            Template(
-                name=name,
-                parameter=item.need("parameter").text(),
-                form=form,
-                lead="" if form == "someone_who" else item.need("lead").text(),
-                complementizer=item.text_of("complementizer"),
-                polarity=item.choice_of("polarity", POLARITIES, ""),
-                connotation=item.choice_of("connotation", POLARITIES, ""),
+        parameter = item.need("parameter").text()
+        template = Template(
+            name=name,
+            parameter=parameter,
+            form=form,
+            lead="" if form == "someone_who" else item.need("lead").text(),
+            complementizer=item.text_of("complementizer"),
+            polarity=item.choice_of("polarity", POLARITIES, ""),
+            connotation=item.choice_of("connotation", POLARITIES, ""),
+            inner_tag=item.choice_of("tag", ("inner",), "") == "inner",
+            marker=Marker(
+                name,
                 lean=item.number_of("lean", -1, 1, 0.0),
                 weight=item.number_of("weight", 0, 100, 1.0),
-                inner_tag=item.choice_of("tag", ("inner",), "") == "inner",
-            )
+            ),
         )
         item.done()
+        templates[parameter] = (*templates.get(parameter, ()), template)
     listed = node.need("someone")
     someone = {kind: listed.need(kind).text() for kind in ("animate", "inanimate")}
     listed.done()
     node.done()
-    return tuple(templates), someone
+    return templates, someone
 
 
 def _read_concepts(node: Node, verbs: bool) -> dict[str, Concept]:
@@ -232,9 +232,7 @@ def _word(item: Node, verbs: bool) -> Word:
     if item.is_sequence():
         values = item.sequence()
         if len(values) != 4:
-            raise item.fault(
-                f"{len(values)} values", "write [word, frequency, strength, emotion]"
-            )
+            raise item.fault(f"{len(values)} values", "write [word, frequency, strength, emotion]")
         text, particle = values[0].text(), ""
         if verbs:
             text, _, particle = text.partition(" ")
@@ -246,4 +244,3 @@ def _word(item: Node, verbs: bool) -> Word:
             values[3].number(-1, 1),
         )
     raise item.fault("this is no word", "write a word or [word, frequency, strength, emotion]")
-

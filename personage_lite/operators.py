@@ -6,13 +6,12 @@ does not hold. It never sees its own probability. Source: Mairesse & Walker 2011
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence, Set
 from math import exp
-from typing import Protocol, TypeVar
+from typing import NamedTuple, Protocol, TypeVar
 
 from personage_lite.lexicon import Lexicon, Marker, Rating
-from personage_lite.plan import Decision, SentencePlan, Status
+from personage_lite.plan import Decision, SentencePlan
 from personage_lite.randomness import Draws
 from personage_lite.state import ConversationState, damping
 
@@ -29,7 +28,7 @@ class OperatorDraws:
     It knows X and the conversation so that words suit the speaker and are not worn out.
     """
 
-    __slots__ = ("_draws", "_scope", "_state", "_used", "rating", "x")
+    __slots__ = ("_draws", "_pull", "_scope", "_used", "_worn", "rating", "x")
 
     def __init__(
         self,
@@ -38,11 +37,12 @@ class OperatorDraws:
         x: float,
         state: ConversationState,
         rating: Rating,
-        used: frozenset[str],
+        used: Set[str],
     ) -> None:
         self._draws = draws
         self._scope = scope
-        self._state = state
+        self._worn = state.worn
+        self._pull = _PULL * x
         self._used = used
         self.x = x
         self.rating = rating
@@ -57,19 +57,24 @@ class OperatorDraws:
 
     def marker(self, markers: Sequence[Marker]) -> Marker | None:
         """Return a marker that suits X, rather a fresh one; None if this utterance has used all."""
-        able = [marker for marker in markers if marker.text not in self._used]
+        used = self._used
+        able = [marker for marker in markers if marker.text not in used] if used else markers
         if len(able) < 2:
             return able[0] if able else None
-        pull, state = _PULL * self.x, self._state
-        weights = [
-            marker.weight * exp(marker.lean * pull) * _WORN ** state.times_recent(marker.text)
-            for marker in able
+        return self.choose("marker", able, self.weights(able))
+
+    def weights(self, markers: Sequence[Marker]) -> list[float]:
+        """Return how readily each marker is chosen at this X, less if it was used lately."""
+        pull, worn = self._pull, self._worn
+        return [
+            marker.weight
+            * exp(marker.lean * pull)
+            * (_WORN ** worn[marker.text] if marker.text in worn else 1.0)
+            for marker in markers
         ]
-        return self.choose("marker", able, weights)
 
 
-@dataclass(frozen=True, slots=True)
-class Turn:
+class Turn(NamedTuple):
     """What one turn is generated with, besides its facts.
 
     `show`, if given, turns a sentence plan into text, for the trace.
@@ -83,16 +88,14 @@ class Turn:
     lexicon: Lexicon
     show: Callable[[SentencePlan], str] | None = None
 
-    def rng(self, scope: str, used: frozenset[str] = frozenset()) -> OperatorDraws:
+    def rng(self, scope: str, used: Set[str] = frozenset()) -> OperatorDraws:
         """Return the draws of one operator at one place; it chooses none of the words `used`."""
         return OperatorDraws(self.draws, scope, self.x, self.state, self.rating, used)
 
     def probability(self, operator: str) -> float:
         """Return an operator's probability: its parameter, damped if it was used lately."""
         value = self.parameters.get(operator, 0.0)
-        if value >= 1.0:
-            return 1.0
-        return round(value * damping(self.state, operator), 4)
+        return value if value >= 1.0 else value * damping(self.state, operator)
 
 
 class SentenceRewrite(Protocol):
@@ -103,19 +106,16 @@ class SentenceRewrite(Protocol):
     ) -> SentencePlan | None: ...
 
 
-@dataclass(frozen=True, slots=True)
-class Operator:
+class Operator(NamedTuple):
     """A named rewrite of sentences, and how often one utterance may carry it.
 
     `name` is at once the style parameter that holds its probability and its name in traces.
-    `limit` is the most sentences of one utterance that it may change; `repeatable` are marker
-    words that one utterance may hold more than once.
+    `limit` is the most sentences of one utterance that it may change.
     """
 
     name: str
     apply: SentenceRewrite
     limit: int = 1
-    repeatable: frozenset[str] = frozenset()
 
 
 def run_operators(
@@ -123,32 +123,37 @@ def run_operators(
 ) -> list[Decision]:
     """Offer each sentence to each operator in order, each with a draw of its own.
 
-    Replaces the sentences that were changed and returns the decisions.
+    One that has reached its limit, or whose probability is 0, is not drawn any more. Replaces the sentences that were changed and returns the decisions.
     """
     decisions: list[Decision] = []
+    targets = [f"sentence {index + 1}" for index in range(len(sentences))]
+    words = {word for sentence in sentences for word in sentence.words}
     for operator in operators:
         name = operator.name
         probability = turn.probability(name)
+        if probability <= 0.0:
+            continue
         used = 0
-        for index, sentence in enumerate(sentences):
-            scope = f"{name}/{index}"
-            draw = turn.draws.uniform(scope)
+        row = turn.draws.numbers(name, len(sentences))
+        for index, (target, draw) in enumerate(zip(targets, row, strict=True)):
+            if draw >= probability:
+                decisions.append(Decision(name, stage, probability, draw, "not_drawn", target))
+                continue
+            sentence = sentences[index]
+            rng = turn.rng(f"{name}/{index}", words)
+            changed = operator.apply(sentence, rng=rng, lexicon=turn.lexicon)
+            if changed is None:
+                decisions.append(Decision(name, stage, probability, draw, "not_applicable", target))
+                continue
             before = after = ""
-            status: Status = "not_drawn"
-            if draw < probability:
-                status = "not_applicable"
-                if used < operator.limit:
-                    words = frozenset(word for item in sentences for word in item.words)
-                    rng = turn.rng(scope, words - operator.repeatable)
-                    changed = operator.apply(sentence, rng=rng, lexicon=turn.lexicon)
-                    if changed is not None:
-                        status = "applied"
-                        used += 1
-                        if turn.show is not None:
-                            before, after = turn.show(sentence), turn.show(changed)
-                        sentences[index] = changed
-            target = f"sentence {index + 1}"
+            if turn.show is not None:
+                before, after = turn.show(sentence), turn.show(changed)
             decisions.append(
-                Decision(name, stage, probability, draw, status, target, before, after)
+                Decision(name, stage, probability, draw, "applied", target, before, after)
             )
+            words.update(changed.words)
+            sentences[index] = changed
+            used += 1
+            if used >= operator.limit:
+                break
     return decisions

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal, NamedTuple, TypeAlias
 
 from personage_lite.facts import Fact, RelationKind
@@ -32,16 +31,14 @@ class Decision(NamedTuple):
     after: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Message:
+class Message(NamedTuple):
     """A fact chosen to be said, or to be said again."""
 
     fact: Fact
     role: Role = "assertion"
 
 
-@dataclass(frozen=True, slots=True)
-class Link:
+class Link(NamedTuple):
     """What holds between a message and the one before it: a relation, or only a shared topic.
 
     `satellite_first` is true where the earlier message is the relation's satellite;
@@ -53,8 +50,7 @@ class Link:
     fixed_order: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class ContentPlan:
+class ContentPlan(NamedTuple):
     """What to say, in order; `links[i]` joins messages i and i + 1 (Reiter & Dale 2000, ch. 4).
 
     `confirmation`, `rejection` and `mitigation` say whether the utterance opens with them.
@@ -67,8 +63,7 @@ class ContentPlan:
     mitigation: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class Frame:
+class Frame(NamedTuple):
     """The template a clause is said in: a lead with "that" or "how", or "someone who"."""
 
     template: str
@@ -78,8 +73,7 @@ class Frame:
     inner_tag: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class ClausePlan:
+class ClausePlan(NamedTuple):
     """One clause of a sentence plan, with what the operators' constraints ask about.
 
     `link` says how it joins the sentence, with the cue word `cue`; a `fronted` clause belongs to
@@ -100,8 +94,7 @@ class ClausePlan:
     marks: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class SentencePlan:
+class SentencePlan(NamedTuple):
     """A sentence before assembly: its clauses in spoken order and what stands around them.
 
     A `fragment` has words instead of clauses ("you want to hear about Alice"). `first` is true
@@ -125,8 +118,7 @@ class SentencePlan:
     words: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Utterance:
+class Utterance(NamedTuple):
     """One turn: the text and all that explains it.
 
     `facts` are the ids of the facts stated, in order; `state` is the conversation afterwards;
@@ -154,13 +146,13 @@ class Utterance:
             "seed": self.seed,
             "turn": self.turn,
             "facts": list(self.facts),
-            "parameters": self.parameters,
+            "parameters": {name: round(value, 4) for name, value in self.parameters.items()},
             "decisions": [
                 {
                     "operator": decision.operator,
                     "stage": decision.stage,
-                    "probability": decision.probability,
-                    "draw": decision.draw,
+                    "probability": round(decision.probability, 4),
+                    "draw": round(decision.draw, 6),
                     "status": decision.status,
                     "target": decision.target,
                 }

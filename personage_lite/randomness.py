@@ -7,12 +7,17 @@ whatever Python's own hash seed is.
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Sequence
 from hashlib import blake2b
+from itertools import accumulate
+from struct import unpack
 from typing import TypeVar
 
 T = TypeVar("T")
-_SCALE = 1.0 / (1 << 53)
+_SCALE = 1.0 / (1 << 64)
+# How many numbers one hash of 64 bytes holds.
+_ROW = 8
 
 
 class Draws:
@@ -23,34 +28,52 @@ class Draws:
     True
     """
 
-    __slots__ = ("_base",)
+    __slots__ = ("_gauss", "_row", "_uniform")
 
     def __init__(self, seed: int, turn: int) -> None:
-        self._base = blake2b(f"{seed}/{turn}/".encode(), digest_size=12)
-
-    def _digest(self, name: str) -> bytes:
-        hasher = self._base.copy()
-        hasher.update(name.encode())
-        return hasher.digest()
+        start = f"{seed}/{turn}/".encode()
+        self._uniform = blake2b(start, digest_size=8)
+        self._gauss = blake2b(start, digest_size=12)
+        self._row = blake2b(start, digest_size=64)
 
     def uniform(self, name: str) -> float:
         """Return the number in [0, 1) that belongs to `name`."""
-        return (int.from_bytes(self._digest(name)[:8], "big") >> 11) * _SCALE
+        hasher = self._uniform.copy()
+        hasher.update(name.encode())
+        return int.from_bytes(hasher.digest(), "big") * _SCALE
+
+    def numbers(self, name: str, count: int) -> list[float]:
+        """Return `count` numbers in [0, 1) that belong to `name`, eight at the cost of one.
+
+        Asking for more leaves the first ones as they are.
+        """
+        hasher = self._row.copy()
+        hasher.update(name.encode())
+        found = [number * _SCALE for number in unpack(">8Q", hasher.digest())[:count]]
+        if count > _ROW:
+            found += self.numbers(f"{name}+", count - _ROW)
+        return found
 
     def gauss(self, name: str) -> float:
         """Return a number of mean 0 and deviation 1, within ±6, that belongs to `name`.
 
         The sum of twelve even bytes: near enough to normal, and exact on every machine.
         """
-        return (sum(self._digest(name)) - 1530) / 256.0
+        hasher = self._gauss.copy()
+        hasher.update(name.encode())
+        return (sum(hasher.digest()) - 1530) / 256.0
 
     def choose(self, name: str, options: Sequence[T], weights: Sequence[float]) -> T:
         """Return one of `options`, each with a chance in proportion to its weight (>= 0)."""
-        mark = self.uniform(name) * sum(weights)
-        for option, weight in zip(options, weights, strict=True):
-            mark -= weight
-            if mark < 0:
-                return option
-        return options[-1]
+        return pick(self.uniform(name), options, weights)
 
 
+def pick(draw: float, options: Sequence[T], weights: Sequence[float]) -> T:
+    """Return the option in whose share of [0, 1) a draw falls.
+
+    >>> pick(0.4, ["a", "b"], [1.0, 3.0])
+    'b'
+    """
+    heaped = list(accumulate(weights))
+    # To the right of equal heaps, so that an option of weight 0 is never picked.
+    return options[min(bisect_right(heaped, draw * heaped[-1]), len(options) - 1)]

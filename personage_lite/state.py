@@ -2,41 +2,42 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import NamedTuple
 
 # How many past turns still damp a marker that was used in them.
 MEMORY_TURNS = 3
 # What is left of a probability for each of those turns that used the same operator: a marker
 # used too often annoys the listener (the paper, section V).
 _WORN = 0.7
+_NOTHING: Mapping[str, int] = MappingProxyType({})
+_NOBODY: Mapping[str, Mapping[str, int]] = MappingProxyType({})
 
 
-@dataclass(frozen=True, slots=True)
-class ConversationState:
+class ConversationState(NamedTuple):
     """The state before a turn; a new conversation starts with `ConversationState()`.
 
-    `told` counts how often each fact was told, by (character, fact). `recent` holds, for each of
-    the last turns, the operators applied and the marker words used. `topic` is the character of
-    the last turn and `last_fact` what was told last. `introduced` are the entities named so far;
-    `focus` those of the last sentence, `focus_subject` the one that its last clause was about.
+    `told` counts, by character, how often each fact was told. `recent` holds, for each of the
+    last turns, the operators applied and the marker words used; `worn` in how many of those turns
+    each was. `topic` is the character of the last turn and `last_fact` what was told last.
+    `introduced` are the entities named so far; `focus` those of the last sentence, and
+    `focus_subject` the one that its last clause was about.
     """
 
     turn: int = 0
-    told: dict[tuple[str, str], int] = field(default_factory=dict)
+    told: Mapping[str, Mapping[str, int]] = _NOBODY
     recent: tuple[frozenset[str], ...] = ()
+    worn: Mapping[str, int] = _NOTHING
     topic: str = ""
     last_fact: str = ""
     introduced: frozenset[str] = frozenset()
     focus: frozenset[str] = frozenset()
     focus_subject: str = ""
 
-    def times_told(self, character: str, fact: str) -> int:
-        """Return how often a fact was told."""
-        return self.told.get((character, fact), 0)
-
-    def times_recent(self, marker: str) -> int:
-        """Return in how many of the last turns an operator or a marker word was used."""
-        return sum(1 for turn in self.recent if marker in turn)
+    def told_of(self, character: str) -> Mapping[str, int]:
+        """Return how often each fact about a character was told."""
+        return self.told.get(character, _NOTHING)
 
     def after(
         self,
@@ -48,13 +49,19 @@ class ConversationState:
         focus_subject: str,
     ) -> ConversationState:
         """Return the state after a turn that told `facts` with `markers`."""
-        told = dict(self.told)
+        counts = dict(self.told_of(character))
         for fact in facts:
-            told[character, fact] = told.get((character, fact), 0) + 1
+            counts[fact] = counts.get(fact, 0) + 1
+        recent = (markers, *self.recent[: MEMORY_TURNS - 1])
+        worn: dict[str, int] = {}
+        for turn in recent:
+            for marker in turn:
+                worn[marker] = worn.get(marker, 0) + 1
         return ConversationState(
             turn=self.turn + 1,
-            told=told,
-            recent=(markers, *self.recent[: MEMORY_TURNS - 1]),
+            told={**self.told, character: counts},
+            recent=recent,
+            worn=worn,
             topic=character,
             last_fact=facts[-1] if facts else "",
             introduced=self.introduced | introduced,
@@ -65,4 +72,5 @@ class ConversationState:
 
 def damping(state: ConversationState, operator: str) -> float:
     """Return the factor, 1 or less, on the probability of an operator that was used lately."""
-    return float(_WORN ** state.times_recent(operator))
+    times = state.worn.get(operator)
+    return float(_WORN**times) if times else 1.0

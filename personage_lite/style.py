@@ -8,8 +8,7 @@ their probability").
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Literal, TypeAlias, cast
+from typing import Literal, NamedTuple, TypeAlias, cast
 
 from personage_lite.errors import PersonageError, nearest
 from personage_lite.randomness import Draws
@@ -37,8 +36,7 @@ LOWEST_X, HIGHEST_X = -2.0, 2.0
 _ANCHORS = 5
 
 
-@dataclass(frozen=True, slots=True)
-class Parameter:
+class Parameter(NamedTuple):
     """One generation parameter: its anchors are its values at X = -2, -1, 0, 1 and 2."""
 
     name: str
@@ -47,16 +45,8 @@ class Parameter:
     anchors: tuple[float, ...]
     does: str
 
-    def at(self, x: float) -> float:
-        """Return the value at X, interpolated between the anchors on either side."""
-        place = x - LOWEST_X
-        left = min(int(place), _ANCHORS - 2)
-        low, high = self.anchors[left], self.anchors[left + 1]
-        return low + (high - low) * (place - left)
 
-
-@dataclass(frozen=True, slots=True)
-class Style:
+class Style(NamedTuple):
     """A versioned set of parameters, with the deviation of the noise on their values."""
 
     name: str
@@ -70,13 +60,16 @@ class Style:
 
         A value of 0 or 1 means never or always and stays so; overridden values have no noise.
         """
+        left = min(int(x - LOWEST_X), _ANCHORS - 2)
+        share = x - LOWEST_X - left
         noise, gauss = self.noise, draws.gauss
         found: dict[str, float] = {}
         for name, parameter in self.parameters.items():
-            value = parameter.at(x)
+            low, high = parameter.anchors[left], parameter.anchors[left + 1]
+            value = low + (high - low) * share
             if 0.0 < value < 1.0:
                 value += noise * gauss(name)
-                value = round(0.0 if value < 0.0 else 1.0 if value > 1.0 else value, 4)
+                value = 0.0 if value < 0.0 else 1.0 if value > 1.0 else value
             found[name] = value
         if overrides:
             found.update(overrides)

@@ -8,8 +8,9 @@ relation behind it.
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 
 from personage_lite.facts import Character, Fact
 from personage_lite.lexicon import Lexicon
@@ -36,8 +37,7 @@ _CUES = {
 _SAME = ("tense", "modal", "perfect", "progressive", "passive", "quotation")
 
 
-@dataclass(frozen=True, slots=True)
-class _Heard:
+class _Heard(NamedTuple):
     """A clause as heard, with the entity its subject stands for where that is left unsaid."""
 
     clause: Clause
@@ -79,12 +79,14 @@ class _Checker:
                 continue
             groups: list[tuple[str, set[str]]] = []
             bodies = [("", sentence.body, False)]
-            bodies += [(join.conjunction, join.body, join.shared_subject) for join in sentence.joined]
+            bodies += [
+                (join.conjunction, join.body, join.shared_subject) for join in sentence.joined
+            ]
             for cue, body, shared in bodies:
                 clause = body.clause if isinstance(body, Embedded) else body
                 if shared and groups:
                     # What is heard as its subject is the subject of the clause before.
-                    clause = replace(clause, subject=self._subject_before)
+                    clause = clause._replace(subject=self._subject_before)
                 facts = self._clause(clause, owner)
                 self._subject_before = clause.subject
                 owner = _entity(clause.subject) or owner
@@ -117,29 +119,29 @@ class _Checker:
 
     def _propositions(self, clause: Clause, owner: str) -> Iterator[_Heard]:
         subject = clause.subject
-        bare = replace(clause, subordinates=(), asides=())
+        bare = clause._replace(subordinates=(), asides=())
         if subject is not None and subject.relative is not None:
-            about = replace(subject, relative=None)
-            yield from self._propositions(replace(subject.relative, subject=about), owner)
-            bare = replace(bare, subject=about)
+            about = subject._replace(relative=None)
+            yield from self._propositions(subject.relative._replace(subject=about), owner)
+            bare = bare._replace(subject=about)
         for aside in clause.asides:
             yield _Heard(self._aside(aside, bare), _entity(subject))
         for phrase in (clause.object, clause.complement, *clause.adverbials):
             if isinstance(phrase, Text):
                 for part in phrase.parts:
                     if isinstance(part, Cased) and part.phrase.relative is not None:
-                        about = replace(part.phrase, relative=None)
-                        inner = replace(part.phrase.relative, subject=about)
+                        about = part.phrase._replace(relative=None)
+                        inner = part.phrase.relative._replace(subject=about)
                         yield from self._propositions(inner, owner)
         said = clause.complement
         if isinstance(said, NounPhrase) and said.relative is not None and said.restrictive:
-            yield from self._propositions(replace(said.relative, subject=bare.subject), owner)
+            yield from self._propositions(said.relative._replace(subject=bare.subject), owner)
         elif isinstance(said, Coordination):
             for item in said.items:
-                yield _Heard(replace(bare, complement=item), owner)
+                yield _Heard(bare._replace(complement=item), owner)
         elif isinstance(clause.object, Coordination):
             for item in clause.object.items:
-                yield _Heard(replace(bare, object=item), owner)
+                yield _Heard(bare._replace(object=item), owner)
         else:
             yield _Heard(bare, owner)
 
@@ -149,7 +151,7 @@ class _Checker:
         what = aside.parts[1:]
         first = what[0] if what else ""
         if isinstance(first, Cased) and first.phrase.adjectives:
-            part = replace(first.phrase, adjectives=(), possessor=host.subject)
+            part = first.phrase._replace(adjectives=(), possessor=host.subject)
             return Clause("be", part, complement=first.phrase.adjectives[0])
         return Clause("have", host.subject, object=Text(what))
 
@@ -231,8 +233,7 @@ class _Checker:
             (kind, marker.role)
             for name, kind in _CUES.items()
             for marker in self._lexicon.markers[name]
-            if marker.text == cue
-            and (marker.attach in ("coordinate", "connective")) == coordinate
+            if marker.text == cue and (marker.attach in ("coordinate", "connective")) == coordinate
         ]
         if claims and not any(self._holds(kind, role, before, facts) for kind, role in claims):
             self.faults.append(f"'{cue}' without its relation: {before} / {facts}")

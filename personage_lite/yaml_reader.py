@@ -153,7 +153,9 @@ class Node:
             )
         if tag != _STR:
             kind = "nothing" if tag == _NULL else f"'{value}'"
-            raise self.fault(f"expected text, found {kind}", 'write a text, in "quotes" if in doubt')
+            raise self.fault(
+                f"expected text, found {kind}", 'write a text, in "quotes" if in doubt'
+            )
         if not value.strip():
             raise self.fault("the text is empty", "write at least one word, or remove the key")
         return value
@@ -169,7 +171,9 @@ class Node:
         """Return the value, which must be one of `choices`."""
         value = self.text()
         if value not in choices:
-            raise self.fault(f"'{value}' is not possible here", f"choose from: {', '.join(choices)}")
+            raise self.fault(
+                f"'{value}' is not possible here", f"choose from: {', '.join(choices)}"
+            )
         return value
 
     def number(self, low: float, high: float) -> float:

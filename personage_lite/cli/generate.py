@@ -44,7 +44,9 @@ def whole_number(text: str, option: str, lowest: int) -> int:
         number = lowest - 1
     if number < lowest or number >= 2**63:
         shown = text if len(text) <= 40 else text[:40] + "…"
-        raise PersonageError(f"{option} is '{shown}'; give a whole number from {lowest} to 2^63 - 1")
+        raise PersonageError(
+            f"{option} is '{shown}'; give a whole number from {lowest} to 2^63 - 1"
+        )
     return number
 
 

@@ -6,8 +6,6 @@ specification is never changed, the realizer keeps no state, threads may share i
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from personage_lite.realizer.grammar import Grammar
 from personage_lite.realizer.orthography import write
 from personage_lite.realizer.specification import (
@@ -82,23 +80,35 @@ class Realizer:
         syntax.body(out, sentence.body)
         last = sentence.body
         for joined in sentence.joined:
-            if not joined.shared_subject:
+            if not joined.shared_subject or (isinstance(last, Clause) and last.quotation):
                 out.append(",")
             out.append(joined.conjunction)
             syntax.body(out, joined.body, joined.shared_subject)
             last = joined.body
         if sentence.afterthought:
             out.extend((",", sentence.afterthought))
-        if sentence.tag == "auto" and not isinstance(last, Text):
-            syntax.tag(out, last.clause if isinstance(last, Embedded) else last)
-        elif sentence.tag:
-            out.extend((",", sentence.tag))
+        tag = sentence.tag
+        if tag == "auto":
+            tagged = _tagged(last)
+            if tagged is None:
+                tag = ""
+            else:
+                syntax.tag(out, tagged)
+        elif tag:
+            out.extend((",", tag))
         if sentence.vocative:
             out.extend((",", sentence.vocative))
-        out.append("?" if sentence.tag else sentence.terminal)
+        out.append("?" if tag else sentence.terminal)
         return out
 
     def _false_start(self, out: list[str], body: Clause | Embedded) -> None:
         clause = body.clause if isinstance(body, Embedded) else body
-        self._syntax.clause(out, replace(clause, truncated=True, subordinates=()))
+        self._syntax.clause(out, clause._replace(truncated=True, subordinates=()))
         out.append("…")
+
+
+def _tagged(body: Clause | Embedded | Text) -> Clause | None:
+    """Return the clause that a tag question agrees with; fixed words have none."""
+    if isinstance(body, Embedded):
+        return body.clause if body.inner_tag else None
+    return body if isinstance(body, Clause) else None

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from personage_lite.yaml_reader import Node
 
 CASES = ("subjective", "objective", "possessive", "reflexive")
 
 
-@dataclass(frozen=True, slots=True)
-class Grammar:
+class Grammar(NamedTuple):
     """Closed word classes and exceptions to rules; never changed after loading."""
 
     pronouns: dict[str, dict[str, str]]
@@ -23,6 +22,9 @@ class Grammar:
     tag_negatives: dict[str, str]
     fused_negatives: dict[str, str]
     negators: frozenset[str]
+    not_negative: tuple[str, ...]
+    plural_in_tags: frozenset[str]
+    prepositions: frozenset[str]
     irregular_verbs: dict[str, tuple[str, ...]]
     third_person: dict[str, str]
     doubling: frozenset[str]
@@ -60,6 +62,9 @@ def read_grammar(node: Node) -> Grammar:
         tag_negatives=_words(node.need("tag_negatives")),
         fused_negatives=_words(node.need("fused_negatives")),
         negators=frozenset(node.need("negators").texts()),
+        not_negative=node.need("not_negative").texts(),
+        plural_in_tags=frozenset(node.need("plural_in_tags").texts()),
+        prepositions=frozenset(node.need("prepositions").texts()),
         irregular_verbs=verbs,
         third_person=_words(node.need("third_person")),
         doubling=frozenset(node.need("doubling").texts()),

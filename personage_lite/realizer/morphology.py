@@ -20,7 +20,15 @@ def _doubles(word: str, grammar: Grammar) -> bool:
     head = word[:-2]
     if head.endswith("qu"):
         head = head[:-1]
-    return not any(letter in "aeiouy" for letter in head)
+    # A y that begins the word is a consonant: yap, yapping.
+    return head[:1] not in _VOWELS and not any(letter in "aeiouy" for letter in head[1:])
+
+
+def _stem(lemma: str, grammar: Grammar) -> str:
+    """Return a verb as it stands before -ed and -ing: stopp, panick, rain."""
+    if _doubles(lemma, grammar):
+        return lemma + lemma[-1]
+    return lemma + "k" if lemma.endswith("ic") else lemma
 
 
 def _s_form(word: str) -> str:
@@ -39,13 +47,14 @@ def inflect_verb(lemma: str, form: VerbForm, grammar: Grammar) -> str:
     if form == "third":
         if lemma in grammar.third_person:
             return grammar.third_person[lemma]
-        return lemma + "es" if lemma.endswith("o") else _s_form(lemma)
+        takes_e = lemma.endswith("o") and not lemma.endswith("oo")
+        return lemma + "es" if takes_e else _s_form(lemma)
     if form == "gerund":
         if lemma.endswith("ie"):
             return lemma[:-2] + "ying"
         if lemma.endswith("e") and not lemma.endswith(("ee", "oe", "ye")) and len(lemma) > 2:
             return lemma[:-1] + "ing"
-        return lemma + lemma[-1] + "ing" if _doubles(lemma, grammar) else lemma + "ing"
+        return _stem(lemma, grammar) + "ing"
     forms = grammar.irregular_verbs.get(lemma)
     if forms:
         return forms[0] if form == "past" else forms[-1]
@@ -53,14 +62,20 @@ def inflect_verb(lemma: str, form: VerbForm, grammar: Grammar) -> str:
         return lemma + "d"
     if lemma.endswith("y") and len(lemma) > 1 and lemma[-2] not in _VOWELS:
         return lemma[:-1] + "ied"
-    return lemma + lemma[-1] + "ed" if _doubles(lemma, grammar) else lemma + "ed"
+    return _stem(lemma, grammar) + "ed"
 
 
 def pluralize(noun: str, grammar: Grammar) -> str:
-    """Return the plural of a noun; of a phrase, the plural of its last word.
+    """Return the plural of a noun; of a phrase, the plural of its head: packs of cards.
 
-    A word that is told to be plural already stands as it is given by whoever wrote it.
+    The head is the last word before the first preposition. What has no other plural stays.
     """
+    if " " in noun:
+        words = noun.split(" ")
+        for index in range(1, len(words)):
+            if words[index] in grammar.prepositions:
+                head = pluralize(" ".join(words[:index]), grammar)
+                return " ".join((head, *words[index:]))
     head, space, last = noun.rpartition(" ")
     if last in grammar.invariable_plurals:
         return noun
@@ -72,9 +87,12 @@ def indefinite_article(word: str, grammar: Grammar) -> str:
 
     Letters mislead in an hour, a unicorn, a one-eyed cat, an FBI agent, an 8.
     """
-    if len(word) > 1 and word.isupper() and word.isalpha():
-        return "an" if word[0] in grammar.vowel_letters else "a"
-    lower = word.lower().lstrip("“\"'‘(")
+    word = word.lstrip("“\"'‘(")
+    # Letters said by their names: an FBI agent, a T-shirt.
+    first = word.split(" ", 1)[0].split("-", 1)[0]
+    if first.isupper() and first.isalpha():
+        return "an" if first[0] in grammar.vowel_letters else "a"
+    lower = word.lower() + " "
     if lower.startswith(grammar.vowel_sound):
         return "an"
     if lower.startswith(grammar.consonant_sound):
@@ -83,18 +101,21 @@ def indefinite_article(word: str, grammar: Grammar) -> str:
 
 
 def stutter(name: str, times: int) -> str:
-    """Repeat the first letters of a name: Al-Al-Alice, Qu-Queen, Wh-White Rabbit.
+    """Repeat the first letters of a name: Al-Al-Alice, Qu-Queen, Wh-White Rabbit, M-Mr Fox.
 
     Source: the paper, figure 7; PERSONAGE's stuttering operator.
     """
+    word = name.split(" ", 1)[0].split("-", 1)[0].lower()
     length = 1
-    if name[0].lower() in _VOWELS:
-        while length < len(name) - 1 and name[length].lower() in _VOWELS:
+    if word[:1] in _VOWELS:
+        while length < len(word) - 1 and word[length] in _VOWELS:
             length += 1
         length += 1
     else:
-        while length < len(name) - 1 and name[length].lower() not in "aeiouy":
+        while length < len(word) - 1 and word[length] not in "aeiouy":
             length += 1
-        if name[:length].lower().endswith("q"):
+        if length == len(word) - 1 and word[length] not in "aeiouy":
+            length = 1
+        elif word[:length].endswith("q"):
             length += 1
-    return f"{name[:length]}-" * times + name
+    return f"{name[: min(length, len(word))]}-" * times + name

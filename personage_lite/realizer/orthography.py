@@ -14,8 +14,8 @@ _ENDING = frozenset(".!?")
 def write(tokens: list[str], grammar: Grammar) -> str:
     """Join the tokens of one sentence into text.
 
-    A comma is dropped beside any other mark, so that punctuation never doubles; a terminal mark
-    after speech that has one of its own is dropped too.
+    A comma is dropped beside any other mark, so that punctuation never doubles; an end mark after
+    speech that has one of its own is dropped too, and after "…" a full stop.
     """
     written: list[str] = []
     capital = True
@@ -39,22 +39,37 @@ def write(tokens: list[str], grammar: Grammar) -> str:
 
 def _swallowed(mark: str, before: str, after: list[str]) -> bool:
     """Whether a mark falls away beside its neighbours."""
-    if before[-1] == "”":
-        return before[-2] in _CLOSING
+    quoted = before[-1] == "”"
+    end = before[-2:-1] if quoted else before[-1]
     if mark == ",":
-        return before[-1] in _CLOSING or not after or after[0] in _CLOSING
-    return before[-1] in _ENDING
+        if not after or after[0] in _CLOSING:
+            return True
+        return end in _CLOSING and not (quoted and _full_stop(before[:-1]))
+    return end in _ENDING or (end == "…" and (quoted or mark not in "!?"))
 
 
 def _attach(before: str, mark: str) -> str:
-    """Put a mark after a word; an end mark goes inside the quotation marks of direct speech."""
-    if before[-1] == "”":
-        return before[:-1] + mark + "”"
-    return before + mark
+    """Put a mark after a word; it goes inside the quotation marks of direct speech.
+
+    It takes the place of a comma, and a comma that of the full stop that ended the speech.
+    """
+    close = "”" if before[-1] == "”" else ""
+    stem = before[:-1] if close else before
+    if stem[-1:] == "," or (mark == "," and _full_stop(stem)):
+        stem = stem[:-1]
+    return stem + mark + close
+
+
+def _full_stop(words: str) -> bool:
+    """Whether words end in one full stop, not in the three of "well..."."""
+    return words[-1:] == "." and words[-2:-1] != "."
 
 
 def _capitalize(token: str) -> str:
+    """Put the first letter in capitals; "10 children" has nothing to capitalize."""
     for index, letter in enumerate(token):
         if letter.isalpha():
             return token[:index] + letter.upper() + token[index + 1 :]
+        if letter.isdigit():
+            break
     return token

@@ -7,8 +7,7 @@ number of times.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Literal, TypeAlias
+from typing import Literal, NamedTuple, TypeAlias
 
 Number: TypeAlias = Literal["singular", "plural"]
 Gender: TypeAlias = Literal["masculine", "feminine", "neuter"]
@@ -17,22 +16,20 @@ Case: TypeAlias = Literal["subjective", "objective", "possessive", "reflexive"]
 Tense: TypeAlias = Literal["present", "past", "future"]
 
 
-@dataclass(frozen=True, slots=True)
-class AdjectivePhrase:
+class AdjectivePhrase(NamedTuple):
     """An adjective with the degree adverbs before it: "really, really curious"."""
 
     adjective: str
     adverbs: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class NounPhrase:
+class NounPhrase(NamedTuple):
     """A noun or a name, or the pronoun that stands for it.
 
     `entity` names whom it denotes; it is not said, only carried for those who choose referring
     expressions. `determiner` "a" becomes "an" by sound. `stutter` repeats the name's first
     letters that many times: "Al-Al-Alice". `relative` is a clause without a subject (or, for a
-    non-restrictive one, an aside between commas) about this phrase.
+    non-restrictive one, an aside between commas) about this phrase; a pronoun takes none.
     """
 
     noun: str
@@ -50,23 +47,20 @@ class NounPhrase:
     entity: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Cased:
+class Cased(NamedTuple):
     """A noun phrase inside a text, in the case that its place asks for."""
 
     phrase: NounPhrase
     case: Case = "objective"
 
 
-@dataclass(frozen=True, slots=True)
-class Text:
+class Text(NamedTuple):
     """Fixed words with noun phrases between them: "a present for", [her], "birthday"."""
 
     parts: tuple[str | Cased, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Coordination:
+class Coordination(NamedTuple):
     """Several phrases joined: "kind, curious and brave"; conjunction "," adds by comma alone."""
 
     items: tuple[Phrase, ...]
@@ -76,8 +70,7 @@ class Coordination:
 Phrase: TypeAlias = "AdjectivePhrase | NounPhrase | Text | Coordination"
 
 
-@dataclass(frozen=True, slots=True)
-class Subordinate:
+class Subordinate(NamedTuple):
     """An adverbial clause and its conjunction: "because she has to know"."""
 
     conjunction: str
@@ -85,8 +78,7 @@ class Subordinate:
     fronted: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class Clause:
+class Clause(NamedTuple):
     """A verb with its arguments, before word order and inflection.
 
     `adverbs` stand in the middle ("she often shouts"); `emphasizers` too, but never inside a
@@ -120,11 +112,11 @@ class Clause:
     degree: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class Embedded:
+class Embedded(NamedTuple):
     """A clause inside a fixed main clause: "I think" (that) "she is kind".
 
-    `inner_tag` says whose tag question it takes: "I think she's kind, isn't she?".
+    `inner_tag` says that it takes the inner clause's tag question: "I think she's kind, isn't
+    she?". Without, it takes none that agrees, since a fixed main clause has no verb to ask with.
     """
 
     lead: Text
@@ -133,8 +125,7 @@ class Embedded:
     inner_tag: bool = True
 
 
-@dataclass(frozen=True, slots=True)
-class Joined:
+class Joined(NamedTuple):
     """A clause joined to what comes before it; with `shared_subject` it leaves its own unsaid."""
 
     conjunction: str
@@ -142,20 +133,19 @@ class Joined:
     shared_subject: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class Opener:
+class Opener(NamedTuple):
     """Words before a sentence and the mark after them: "Oh" "," or "I see" "!"."""
 
     text: str
     mark: str = ","
 
 
-@dataclass(frozen=True, slots=True)
-class Sentence:
+class Sentence(NamedTuple):
     """One sentence: coordinated clauses and all that speech puts around them.
 
     A body that is a text is a fragment: words that stand for a sentence by themselves.
-    `tag` is "auto" for a tag question that agrees ("isn't she?") or the words of a fixed one.
+    `tag` is "auto" for a tag question that agrees ("isn't she?") or the words of a fixed one; a
+    fragment takes none that agrees.
     `terminal` is ".", "!" or "?". `false_start` breaks off after the verb and starts again.
     """
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from personage_lite.realizer.grammar import Grammar
 from personage_lite.realizer.morphology import VerbForm, inflect_verb, pluralize, stutter
 from personage_lite.realizer.orthography import INDEFINITE
@@ -16,6 +14,7 @@ from personage_lite.realizer.specification import (
     Embedded,
     NounPhrase,
     Phrase,
+    Subordinate,
     Text,
 )
 
@@ -60,7 +59,7 @@ class Syntax:
         forms = self.grammar.be
         plural = subject.number == "plural" or subject.person == 2
         if past:
-            return forms["past_plural" if plural else "past_singular"]
+            return forms["past_other" if plural else "past_singular"]
         if plural:
             return forms["present_other"]
         return forms["present_first" if subject.person == 1 else "present_third"]
@@ -137,11 +136,18 @@ class Syntax:
         """Add "who …"; between commas unless it is restrictive."""
         assert phrase.relative is not None
         mark = [] if phrase.restrictive else [","]
-        kind = "animate" if phrase.animate else "inanimate"
+        if phrase.animate:
+            kind = "animate"
+        else:
+            kind = "inanimate_restrictive" if phrase.restrictive else "inanimate"
         out.extend(mark)
         out.append(self.grammar.relative_pronouns[kind])
-        bare = replace(phrase, relative=None, pronoun=False)
-        self.predicate(out, replace(phrase.relative, subject=bare), after_pronoun=False)
+        bare = phrase._replace(relative=None, pronoun=False)
+        clause = phrase.relative._replace(subject=bare)
+        self.predicate(out, clause, after_pronoun=False)
+        # Nothing can stand before "who", so all its subordinate clauses follow.
+        for subordinate in clause.subordinates:
+            self._subordinate(out, clause, subordinate)
         out.extend(mark)
 
     def phrase(self, out: list[str], phrase: Phrase, case: Case = "objective") -> None:
@@ -189,16 +195,23 @@ class Syntax:
         self.predicate(out, clause, after_pronoun=pronoun)
         for subordinate in clause.subordinates:
             if not subordinate.fronted:
-                out.append(subordinate.conjunction)
-                self.clause(out, subordinate.clause)
+                self._subordinate(out, clause, subordinate)
+
+    def _subordinate(self, out: list[str], host: Clause, subordinate: Subordinate) -> None:
+        """Add a subordinate clause that follows its host; a comma parts it from speech."""
+        if host.quotation:
+            out.append(",")
+        out.append(subordinate.conjunction)
+        self.clause(out, subordinate.clause)
 
     def predicate(self, out: list[str], clause: Clause, after_pronoun: bool) -> None:
         """Add all of a clause that follows its subject, but for subordinate clauses."""
         negator = clause.negator if clause.negated else ""
         plain_not = negator == "not"
         group = self.verb_group(clause, emphatic=plain_not)
-        if clause.negated:
+        if clause.negated and clause.emphasizers:
             out.extend(clause.emphasizers)
+            after_pronoun = False
         self._finite_words(out, clause, group, negator, after_pronoun)
         middle = [] if clause.negated else list(clause.emphasizers)
         middle.extend(clause.adverbs)
@@ -220,33 +233,41 @@ class Syntax:
     def _finite_words(
         self, out: list[str], clause: Clause, group: VerbGroup, negator: str, after_pronoun: bool
     ) -> None:
+        """Add the finite verb and "not", shortened where the clause and its place allow it."""
         grammar = self.grammar
-        if negator == "not":
-            short = grammar.negative_contractions.get(group.finite)
-            if clause.contracted and short:
-                out.append(short)
-            elif group.finite in grammar.fused_negatives:
-                out.append(grammar.fused_negatives[group.finite])
-            else:
-                out.extend((group.finite, "not"))
-            return
-        short = grammar.contractions.get(group.finite)
+        short: str | None = None
         if (
             clause.contracted
             and after_pronoun
-            and short
             and group.auxiliary
             and not clause.interruption
             and not clause.truncated
             and not clause.degree
+            # Nothing is shortened at a clause's end: "Yes, she is".
+            and (group.rest or clause.complement is not None or clause.adverbials)
         ):
+            short = grammar.contractions.get(group.finite)
+        if negator != "not":
+            if short:
+                out[-1] += short
+            else:
+                out.append(group.finite)
+        elif clause.contracted and group.finite in grammar.negative_contractions:
+            out.append(grammar.negative_contractions[group.finite])
+        elif short:
             out[-1] += short
-            # Something to hold the middle words' place, as the finite word would.
-            return
-        out.append(group.finite)
+            out.append(negator)
+        elif group.finite in grammar.fused_negatives:
+            out.append(grammar.fused_negatives[group.finite])
+        else:
+            out.extend((group.finite, negator))
 
     def _arguments(self, out: list[str], clause: Clause) -> None:
-        particle_last = clause.particle and _is_pronoun(clause.object)
+        particle_last = (
+            clause.particle
+            and _is_pronoun(clause.object)
+            and clause.particle not in self.grammar.prepositions
+        )
         if clause.particle and not particle_last:
             out.append(clause.particle)
         if clause.indirect_object is not None:
@@ -283,6 +304,9 @@ class Syntax:
     def tag(self, out: list[str], clause: Clause) -> None:
         """Add the tag question that agrees with a clause: "isn't she?", "did they?"."""
         subject = clause.subject or _NOBODY
+        if subject.noun in self.grammar.plural_in_tags and not subject.pronoun:
+            subject = subject._replace(number="plural")
+            clause = clause._replace(subject=subject)
         finite = self.verb_group(clause, emphatic=True).finite
         if not self._sounds_negative(clause):
             finite = (
@@ -291,17 +315,46 @@ class Syntax:
                 or finite
             )
         out.extend((",", finite))
-        self.noun_phrase(out, replace(subject, pronoun=True, relative=None), "subjective")
-
+        self.noun_phrase(out, subject._replace(pronoun=True, relative=None), "subjective")
 
     def _sounds_negative(self, clause: Clause) -> bool:
         """Whether a tag must be positive: "she never …, does she?", "she fears nobody, does she?"."""
-        negators = self.grammar.negators
-        if clause.negated or any(adverb in negators for adverb in clause.adverbs):
+        if clause.negated or self._negative_adverbs(clause.adverbs):
             return True
-        said = clause.object
-        first = said.parts[0] if isinstance(said, Text) else ""
-        return isinstance(first, str) and first.split(" ", 1)[0] in negators
+        return (
+            self._negative(clause.subject)
+            or self._negative(clause.indirect_object)
+            or self._negative(clause.object)
+            or self._negative(clause.complement)
+        )
+
+    def _negative(self, phrase: Phrase | None) -> bool:
+        """Whether a phrase begins with a negator: "nobody", "no friends", "hardly curious"."""
+        if phrase is None:
+            return False
+        if isinstance(phrase, AdjectivePhrase):
+            return self._negative_adverbs(phrase.adverbs)
+        if isinstance(phrase, Coordination):
+            return self._negative(phrase.items[0])
+        if isinstance(phrase, Text):
+            part = phrase.parts[0]
+            if isinstance(part, Cased):
+                return self._negative(part.phrase)
+            first = part
+        else:
+            if phrase.pronoun or phrase.possessor is not None:
+                return not phrase.pronoun and self._negative(phrase.possessor)
+            first = phrase.determiner or phrase.noun
+        word = first.split(" ", 1)[0]
+        return word in self.grammar.negators and not first.startswith(self.grammar.not_negative)
+
+    def _negative_adverbs(self, adverbs: tuple[str, ...]) -> bool:
+        negators = self.grammar.negators
+        return any(
+            not negators.isdisjoint(adverb.split())
+            for adverb in adverbs
+            if adverb not in self.grammar.not_negative
+        )
 
 
 def _is_pronoun(phrase: Phrase | None) -> bool:

@@ -6,12 +6,14 @@ into deep syntax. Source: Mairesse & Walker 2011, section 4; the paper, section 
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 
 from personage_lite.facts import Character
 from personage_lite.operators import Operator, Turn, run_operators
-from personage_lite.plan import ClausePlan, ContentPlan, Decision, Link, SentencePlan
+from personage_lite.plan import ClausePlan, ContentPlan, Decision, Link, SentencePlan, Status
+from personage_lite.randomness import pick
 from personage_lite.realizer.specification import Sentence
 from personage_lite.sentence_planner import hedges, speech
 from personage_lite.sentence_planner.aggregation import COMPETING, Joint, Pair
@@ -41,8 +43,7 @@ PRAGMATIC_MARKERS: tuple[Operator, ...] = (
 )
 
 
-@dataclass(frozen=True, slots=True)
-class PlannedSentences:
+class PlannedSentences(NamedTuple):
     """What the sentence planner hands on: the realizer's input, and what to remember."""
 
     sentences: tuple[Sentence, ...]
@@ -106,34 +107,28 @@ def aggregate(
 def _join(pair: Pair, index: int, turn: Turn) -> tuple[Joint, list[Decision]]:
     decisions: list[Decision] = []
     able = list(COMPETING[pair.link.kind])
+    target = f"{pair.link.kind} {index + 1}"
     while able:
-        weights = [factor * turn.parameters[rewrite.__name__] for rewrite, factor in able]
+        weights = [joiner.factor * turn.parameters[joiner.name] for joiner in able]
         total = sum(weights)
         if not total:
             break
-        scope = f"aggregation/{index}/{len(able)}"
-        rewrite, factor = turn.draws.choose(scope, able, weights)
-        name = rewrite.__name__
-        joint = rewrite(pair, rng=turn.rng(f"{name}/{index}"), lexicon=turn.lexicon)
+        draw = turn.draws.uniform(f"aggregation/{index}/{len(able)}")
+        joiner = pick(draw, able, weights)
+        name = joiner.name
+        joint = joiner.apply(pair, rng=turn.rng(f"{name}/{index}"), lexicon=turn.lexicon)
         before = after = ""
         if joint is not None and turn.show is not None:
             before = f"{turn.show(pair.left)} + {turn.show(SentencePlan((pair.right,)))}"
             after = " ".join(turn.show(sentence) for sentence in joint)
+        chance = joiner.factor * turn.parameters[name] / total
+        status: Status = "not_applicable" if joint is None else "applied"
         decisions.append(
-            Decision(
-                name,
-                "aggregation",
-                round(factor * turn.parameters[name] / total, 4),
-                turn.draws.uniform(scope),
-                "not_applicable" if joint is None else "applied",
-                f"{pair.link.kind} {index + 1}",
-                before,
-                after,
-            )
+            Decision(name, "aggregation", chance, draw, status, target, before, after)
         )
         if joint is not None:
             return joint, decisions
-        able.remove((rewrite, factor))
+        able.remove(joiner)
     # What only says again what the sentence says already can be left out; all else stands alone.
     if pair.link.kind == "restatement":
         return (pair.left,), decisions
@@ -147,7 +142,7 @@ def with_openings(
     placed: list[SentencePlan] = []
     before = ""
     for sentence in sentences:
-        placed.append(replace(sentence, first=not placed, subject_before=before))
+        placed.append(sentence._replace(first=not placed, subject_before=before))
         subject = sentence.clauses[-1].clause.subject
         before = subject.entity if subject is not None else ""
     if plan.mitigation:
@@ -162,11 +157,11 @@ def with_openings(
         if marker is None:
             continue
         if not marker.after or marker.after == ",":
-            placed[0] = speech.with_opener(placed[0], marker)
+            placed[0] = hedges.with_opener(placed[0], marker)
         else:
             fragment = lead_text(marker.text, character.entity.phrase)
             placed.insert(
                 0, SentencePlan(fragment=fragment, terminal=marker.after, words=(marker.text,))
             )
-            placed[1] = replace(placed[1], answers=marker.after == "?")
+            placed[1] = placed[1]._replace(answers=marker.after == "?")
     return placed

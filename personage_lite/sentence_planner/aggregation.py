@@ -6,8 +6,7 @@ section 4.3; Reiter & Dale 2000, chapter 5.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from typing import Protocol, TypeAlias
+from typing import NamedTuple, Protocol, TypeAlias
 
 from personage_lite.lexicon import Lexicon, Marker
 from personage_lite.operators import OperatorDraws
@@ -29,8 +28,7 @@ _MOST_MERGED = 3
 _SHARED_SUBJECT = 0.5
 
 
-@dataclass(frozen=True, slots=True)
-class Pair:
+class Pair(NamedTuple):
     """The sentence so far, the clause that comes next, and what holds between them."""
 
     left: SentencePlan
@@ -67,11 +65,11 @@ def _plain(plan: ClausePlan) -> bool:
 
 def _extend(sentence: SentencePlan, clause: ClausePlan, word: str = "") -> Joint:
     words = (*sentence.words, word) if word else sentence.words
-    return (replace(sentence, clauses=(*sentence.clauses, clause), words=words),)
+    return (sentence._replace(clauses=(*sentence.clauses, clause), words=words),)
 
 
 def _replace_last(sentence: SentencePlan, clause: ClausePlan, word: str = "") -> Joint:
-    return _extend(replace(sentence, clauses=sentence.clauses[:-1]), clause, word)
+    return _extend(sentence._replace(clauses=sentence.clauses[:-1]), clause, word)
 
 
 # Without a cue
@@ -99,7 +97,7 @@ def _coordinate(pair: Pair, cue: Marker, rng: OperatorDraws, most: int) -> Joint
         and last.clause.tense == right.clause.tense
         and rng.uniform("shared_subject") < _SHARED_SUBJECT
     )
-    joined = replace(right, link="coordinate", cue=cue.text, shared_subject=shared)
+    joined = right._replace(link="coordinate", cue=cue.text, shared_subject=shared)
     return _extend(left, joined, cue.text)
 
 
@@ -122,17 +120,15 @@ def merge(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | None:
         return None
     one, other = last.clause, right.clause
     if isinstance(other.complement, AdjectivePhrase) and _mergeable(one.complement):
-        clause = replace(one, complement=_with_item(one.complement, other.complement))
+        clause = one._replace(complement=_with_item(one.complement, other.complement))
     elif one.verb == "have" and other.object and one.object and not one.adverbials:
-        clause = replace(one, object=_with_item(one.object, other.object))
+        clause = one._replace(object=_with_item(one.object, other.object))
     else:
         return None
     strength = "somewhat" if "somewhat" in (last.strength, right.strength) else last.strength
     return _replace_last(
         pair.left,
-        replace(
-            last,
-            clause=clause,
+        last._replace(clause=clause,
             facts=(*last.facts, *right.facts),
             strength=strength,
             gradable=False,
@@ -142,7 +138,7 @@ def merge(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | None:
 
 def _shell(clause: Clause) -> Clause:
     """Return a clause without what a merge joins: what is left must be equal on both sides."""
-    return replace(clause, complement=None, object=None)
+    return clause._replace(complement=None, object=None)
 
 
 def _mergeable(phrase: Phrase | None) -> bool:
@@ -169,7 +165,7 @@ def relative_clause(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Join
     if subject is None or not subject.entity:
         return None
     if _last_mention(last.clause) == subject.entity and not _same_subject(last, right):
-        return _extend(left, replace(right, link="object_relative"))
+        return _extend(left, right._replace(link="object_relative"))
     if not _same_subject(last, right) or pair.link.fixed_order or _opposed(last, right):
         return None
     main, inner = last, right
@@ -177,8 +173,8 @@ def relative_clause(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Join
         main, inner = right, last
     if not _describes(inner):
         return None
-    joined = (replace(main, link="main"), replace(inner, link="relative"))
-    return (replace(left, clauses=joined),)
+    joined = (main._replace(link="main"), inner._replace(link="relative"))
+    return (left._replace(clauses=joined),)
 
 
 def _describes(plan: ClausePlan) -> bool:
@@ -208,9 +204,9 @@ def with_cue_word(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint 
     if owned is None or cue is None or _opposed(last, right):
         return None
     aside = Text((cue.text, *owned))
-    clause = replace(last.clause, asides=(aside,))
+    clause = last.clause._replace(asides=(aside,))
     facts = (*last.facts, *right.facts)
-    return _replace_last(left, replace(last, clause=clause, facts=facts), cue.text)
+    return _replace_last(left, last._replace(clause=clause, facts=facts), cue.text)
 
 
 def _owned(last: ClausePlan, right: ClausePlan) -> tuple[str | Cased, ...] | None:
@@ -225,7 +221,7 @@ def _owned(last: ClausePlan, right: ClausePlan) -> tuple[str | Cased, ...] | Non
         return None
     if part.possessor == last.clause.subject and isinstance(quality, AdjectivePhrase):
         if part.number == "plural":
-            return (Cased(replace(part, possessor=None, adjectives=(quality,))),)
+            return (Cased(part._replace(possessor=None, adjectives=(quality,))),)
     return None
 
 
@@ -241,8 +237,8 @@ def also_cue_word(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint 
         return None
     if cue.place == "connective":
         return (pair.left, SentencePlan((right,), connective=cue.text, words=(cue.text,)))
-    clause = replace(right.clause, adverbs=(cue.text,))
-    return (pair.left, SentencePlan((replace(right, clause=clause),), words=(cue.text,)))
+    clause = right.clause._replace(adverbs=(cue.text,))
+    return (pair.left, SentencePlan((right._replace(clause=clause),), words=(cue.text,)))
 
 
 # With a cue word
@@ -250,10 +246,15 @@ def also_cue_word(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint 
 
 def _cued(pair: Pair, markers: tuple[Marker, ...], rng: OperatorDraws) -> Joint | None:
     """Join with a cue word that suits the relation, the clauses and the speaker."""
-    fresh = [marker for marker in markers if marker.text not in pair.left.words]
-    able = [marker for marker in fresh if _joined(pair, marker, rng) is not None]
-    cue = rng.marker(able)
-    return None if cue is None else _joined(pair, cue, rng)
+    able = [marker for marker in markers if marker.text not in pair.left.words]
+    while able:
+        cue = rng.marker(able)
+        assert cue is not None
+        joint = _joined(pair, cue, rng)
+        if joint is not None:
+            return joint
+        able.remove(cue)
+    return None
 
 
 def _joined(pair: Pair, cue: Marker, rng: OperatorDraws) -> Joint | None:
@@ -280,12 +281,14 @@ def _joined(pair: Pair, cue: Marker, rng: OperatorDraws) -> Joint | None:
             return None
         if turned.last.link not in ("main", "coordinate") or turned.last.shared_subject:
             return None
-        return _extend(turned.left, replace(turned.right, link="subordinate", cue=cue.text), cue.text)
+        return _extend(
+            turned.left, turned.right._replace(link="subordinate", cue=cue.text), cue.text
+        )
     if len(pair.left.clauses) > 1 or pair.link.fixed_order:
         return None
     main = pair.right if introduced is pair.last else pair.last
-    front = replace(introduced, link="fronted", cue=cue.text)
-    sentence = replace(pair.left, clauses=(front, main), words=(*pair.left.words, cue.text))
+    front = introduced._replace(link="fronted", cue=cue.text)
+    sentence = pair.left._replace(clauses=(front, main), words=(*pair.left.words, cue.text))
     return (sentence,)
 
 
@@ -295,7 +298,7 @@ def _turned(pair: Pair) -> Pair | None:
         return None
     if not (_plain(pair.last) and _plain(pair.right)):
         return None
-    return Pair(replace(pair.left, clauses=(pair.right,)), pair.last, pair.link)
+    return Pair(pair.left._replace(clauses=(pair.right,)), pair.last, pair.link)
 
 
 def contrast_cue_word(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | None:
@@ -337,35 +340,57 @@ def merge_with_comma(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joi
     cue = rng.marker(lexicon.markers["merge_with_comma"])
     if cue is None:
         return None
-    stressed = replace(again, adverbs=(cue.text,))
-    clause = replace(last.clause, complement=Coordination((said, stressed), ","))
+    stressed = again._replace(adverbs=(cue.text,))
+    clause = last.clause._replace(complement=Coordination((said, stressed), ","))
     return _replace_last(
         pair.left,
-        replace(last, clause=clause, role=right.role, gradable=False),
+        last._replace(clause=clause, role=right.role, gradable=False),
         cue.text,
     )
 
 
-# For each relation, the operators that compete for it, with a factor on their parameter's value.
-COMPETING: dict[str, tuple[tuple[PairRewrite, float], ...]] = {
-    "none": ((period, 1.0),),
+class Joiner(NamedTuple):
+    """An aggregation operator that competes for a relation.
+
+    `name` is its style parameter, whose value times `factor` is its weight in the draw.
+    """
+
+    name: str
+    apply: PairRewrite
+    factor: float = 1.0
+
+
+# For each relation, the operators that compete for it.
+COMPETING: dict[str, tuple[Joiner, ...]] = {
+    "none": (Joiner("period", period),),
     "infer": (
-        (period, 1.0),
-        (conjunction, 1.0),
-        (merge, 1.5),
-        (relative_clause, 1.0),
-        (with_cue_word, 1.0),
-        (also_cue_word, 1.0),
+        Joiner("period", period),
+        Joiner("conjunction", conjunction),
+        Joiner("merge", merge, 1.5),
+        Joiner("relative_clause", relative_clause),
+        Joiner("with_cue_word", with_cue_word),
+        Joiner("also_cue_word", also_cue_word),
     ),
     "elaboration": (
-        (period, 0.6),
-        (conjunction, 0.6),
-        (relative_clause, 1.5),
-        (with_cue_word, 1.0),
+        Joiner("period", period, 0.6),
+        Joiner("conjunction", conjunction, 0.6),
+        Joiner("relative_clause", relative_clause, 1.5),
+        Joiner("with_cue_word", with_cue_word),
     ),
-    "contrast": ((contrast_cue_word, 1.0), (conjunction, 0.1), (period, 0.1)),
-    "justification": ((justify_cue_word, 1.0), (period, 0.3)),
-    "concession": ((concede_cue_word, 1.0), (period, 0.1)),
-    "sequence": ((sequence_cue_word, 1.0), (conjunction, 0.6), (period, 0.8)),
-    "restatement": ((merge_with_comma, 1.0),),
+    "contrast": (
+        Joiner("contrast_cue_word", contrast_cue_word),
+        Joiner("conjunction", conjunction, 0.1),
+        Joiner("period", period, 0.1),
+    ),
+    "justification": (
+        Joiner("justify_cue_word", justify_cue_word),
+        Joiner("period", period, 0.3),
+    ),
+    "concession": (Joiner("concede_cue_word", concede_cue_word), Joiner("period", period, 0.1)),
+    "sequence": (
+        Joiner("sequence_cue_word", sequence_cue_word),
+        Joiner("conjunction", conjunction, 0.6),
+        Joiner("period", period, 0.8),
+    ),
+    "restatement": (Joiner("merge_with_comma", merge_with_comma),),
 }

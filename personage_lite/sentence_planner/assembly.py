@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 
 from personage_lite.plan import ClausePlan, SentencePlan
 from personage_lite.realizer.specification import (
@@ -32,7 +31,7 @@ def assemble(plan: SentencePlan) -> Sentence:
             fronted = (*fronted, Subordinate(part.cue, clause, fronted=True))
         elif part.link in ("main", "coordinate"):
             if fronted:
-                clause = replace(clause, subordinates=(*fronted, *clause.subordinates))
+                clause = clause._replace(subordinates=(*fronted, *clause.subordinates))
                 fronted = ()
             bodies.append((part, clause))
         else:
@@ -57,20 +56,18 @@ def assemble(plan: SentencePlan) -> Sentence:
 def _attached(host: Clause, part: ClausePlan) -> Clause:
     """Put a subordinate or relative clause into its host."""
     if part.link == "subordinate":
-        return replace(
-            host, subordinates=(*host.subordinates, Subordinate(part.cue, part.clause))
-        )
-    inner = replace(part.clause, subject=None)
+        return host._replace(subordinates=(*host.subordinates, Subordinate(part.cue, part.clause)))
+    inner = part.clause._replace(subject=None)
     if part.link == "relative" and host.subject is not None:
-        return replace(host, subject=replace(host.subject, relative=inner))
+        return host._replace(subject=host.subject._replace(relative=inner))
     for name in ("adverbials", "complement", "object"):
         said = getattr(host, name)
         if name == "adverbials" and said:
-            return replace(host, adverbials=(*said[:-1], _with_relative(said[-1], inner)))
+            return host._replace(adverbials=(*said[:-1], _with_relative(said[-1], inner)))
         if name == "complement" and said is not None:
-            return replace(host, complement=_with_relative(said, inner))
+            return host._replace(complement=_with_relative(said, inner))
         if name == "object" and said is not None:
-            return replace(host, object=_with_relative(said, inner))
+            return host._replace(object=_with_relative(said, inner))
     raise AssertionError("a relative clause without a host")
 
 
@@ -79,7 +76,7 @@ def _with_relative(phrase: Phrase, inner: Clause) -> Phrase:
     assert isinstance(phrase, Text)
     last = phrase.parts[-1]
     assert isinstance(last, Cased)
-    noun = replace(last.phrase, relative=inner)
+    noun = last.phrase._replace(relative=inner)
     return Text((*phrase.parts[:-1], Cased(noun, last.case)))
 
 
@@ -95,7 +92,7 @@ def _framed(part: ClausePlan, clause: Clause) -> Clause | Embedded:
         someone = NounPhrase(
             word,
             animate=clause.subject.animate,
-            relative=replace(clause, subject=None, subordinates=(), contracted=False),
+            relative=clause._replace(subject=None, subordinates=(), contracted=False),
             restrictive=True,
         )
         return Clause(

@@ -7,7 +7,6 @@ section 4.4; the paper, section IV-C ("weakens positive content").
 
 from __future__ import annotations
 
-from dataclasses import replace
 
 from personage_lite.lexicon import Lexicon, Marker
 from personage_lite.operators import OperatorDraws
@@ -25,7 +24,7 @@ _SAID = ("main", "coordinate", "subordinate", "fronted")
 def replaced(plan: SentencePlan, index: int, clause: ClausePlan, word: str) -> SentencePlan:
     """Return a sentence with one clause changed and a marker word noted."""
     clauses = (*plan.clauses[:index], clause, *plan.clauses[index + 1 :])
-    return replace(plan, clauses=clauses, words=(*plan.words, word))
+    return plan._replace(clauses=clauses, words=(*plan.words, word))
 
 
 def opener_fits(plan: SentencePlan) -> bool:
@@ -37,7 +36,7 @@ def opener_fits(plan: SentencePlan) -> bool:
 def with_opener(plan: SentencePlan, marker: Marker) -> SentencePlan:
     """Return a sentence with words put before it and before the openers that it has."""
     opener = Opener(marker.text, marker.after)
-    return replace(plan, openers=(opener, *plan.openers), words=(*plan.words, marker.text))
+    return plan._replace(openers=(opener, *plan.openers), words=(*plan.words, marker.text))
 
 
 def _unhedged(clause: ClausePlan) -> bool:
@@ -67,8 +66,8 @@ def with_degree(clause: ClausePlan, word: str, mark: str) -> ClausePlan:
     """Return a clause with a degree adverb before its adjective."""
     said = clause.clause.complement
     assert isinstance(said, AdjectivePhrase)
-    changed = replace(clause.clause, complement=replace(said, adverbs=(word,)))
-    return replace(clause, clause=changed, marks=(*clause.marks, mark))
+    changed = clause.clause._replace(complement=said._replace(adverbs=(word,)))
+    return clause._replace(clause=changed, marks=(*clause.marks, mark))
 
 
 def _starts_with_number(clause: ClausePlan, lexicon: Lexicon) -> bool:
@@ -85,42 +84,46 @@ def softened(
     for index, clause in enumerate(plan.clauses):
         if clause.link not in _SAID or not _unhedged(clause):
             continue
-        able = tuple(m for m in markers if _soft_fits(plan, index, m, lexicon))
-        marker = rng.marker(able)
+        places = _soft_places(plan, index, lexicon)
+        marker = rng.marker(
+            [m for m in markers if m.place in places and not _echoes(clause, m.text)]
+        )
         if marker is None:
             continue
         if marker.place == "end":
-            changed = replace(clause, marks=(*clause.marks, SOFTENED))
-            return replace(replaced(plan, index, changed, marker.text), afterthought=marker.text)
+            changed = clause._replace(marks=(*clause.marks, SOFTENED))
+            return replaced(plan, index, changed, marker.text)._replace(afterthought=marker.text)
         if marker.place == "degree":
             changed = with_degree(clause, marker.text, SOFTENED)
         elif marker.place == "quantity":
             changed = _around(clause, marker.text)
         elif marker.place == "pause":
-            paused = replace(clause.clause, interruption=marker.text)
-            changed = replace(clause, clause=paused, marks=(*clause.marks, SOFTENED))
+            paused = clause.clause._replace(interruption=marker.text)
+            changed = clause._replace(clause=paused, marks=(*clause.marks, SOFTENED))
         else:
             frame = Frame(marker.text, "clause", Text((marker.text,)), "", inner_tag=True)
-            changed = replace(clause, frame=frame, marks=(*clause.marks, SOFTENED))
+            changed = clause._replace(frame=frame, marks=(*clause.marks, SOFTENED))
         return replaced(plan, index, changed, marker.text)
     return None
 
 
-def _soft_fits(plan: SentencePlan, index: int, marker: Marker, lexicon: Lexicon) -> bool:
-    clause, place = plan.clauses[index], marker.place
-    alone = not clause.clause.quotation and clause.frame is None
-    if place == "degree":
-        return _degree_fits(clause) and not _echoes(clause, marker.text)
-    if place == "lead":
+def _soft_places(plan: SentencePlan, index: int, lexicon: Lexicon) -> set[str]:
+    """Return where in a clause a softener can stand."""
+    clause = plan.clauses[index]
+    places = set()
+    if _degree_fits(clause):
+        places.add("degree")
+    if pause_fits(clause):
+        places.add("pause")
+    if _starts_with_number(clause, lexicon):
+        places.add("quantity")
+    if clause.frame is None and not clause.clause.quotation and not plan.afterthought:
         fronted = any(other.link in ("fronted", "relative") for other in plan.clauses)
-        main = clause.link == "main" and not fronted
-        return alone and main and not plan.connective and not plan.afterthought
-    if place == "end":
-        last = index == len(plan.clauses) - 1 and len(plan.clauses) == 1
-        return alone and last and not plan.tag and not plan.afterthought
-    if place == "quantity":
-        return _starts_with_number(clause, lexicon)
-    return pause_fits(clause)
+        if clause.link == "main" and not fronted and not plan.connective:
+            places.add("lead")
+        if len(plan.clauses) == 1 and not plan.tag:
+            places.add("end")
+    return places
 
 
 def pause_fits(clause: ClausePlan) -> bool:
@@ -133,10 +136,10 @@ def pause_fits(clause: ClausePlan) -> bool:
 def _around(clause: ClausePlan, word: str) -> ClausePlan:
     spec = clause.clause
     if isinstance(spec.complement, Text):
-        spec = replace(spec, complement=Text((word, *spec.complement.parts)))
+        spec = spec._replace(complement=Text((word, *spec.complement.parts)))
     elif isinstance(spec.object, Text):
-        spec = replace(spec, object=Text((word, *spec.object.parts)))
-    return replace(clause, clause=spec, marks=(*clause.marks, SOFTENED))
+        spec = spec._replace(object=Text((word, *spec.object.parts)))
+    return clause._replace(clause=spec, marks=(*clause.marks, SOFTENED))
 
 
 def softener_hedges(
@@ -173,37 +176,39 @@ def emphasizer_hedges(
     for index, clause in enumerate(plan.clauses):
         if clause.link not in _SAID or not _unhedged(clause) or clause.strength == "somewhat":
             continue
-        able = tuple(
-            marker
-            for marker in lexicon.markers["emphasizer_hedges"]
-            if _stress_fits(plan, index, marker)
+        places, verb = _stress_places(plan, index), clause.clause.verb
+        marker = rng.marker(
+            [
+                marker
+                for marker in lexicon.markers["emphasizer_hedges"]
+                if marker.place in places and (not marker.verbs or verb in marker.verbs)
+            ]
         )
-        marker = rng.marker(able)
         if marker is None:
             continue
-        if marker.place == "opener":
-            marked = replace(clause, marks=(*clause.marks, EMPHASIZED))
-            return with_opener(replaced(plan, index, marked, marker.text), marker)
         if marker.place == "degree":
             return replaced(plan, index, with_degree(clause, marker.text, EMPHASIZED), marker.text)
-        stressed = replace(clause.clause, emphasizers=(marker.text,))
-        changed = replace(clause, clause=stressed, marks=(*clause.marks, EMPHASIZED))
-        return replaced(plan, index, changed, marker.text)
+        changed = clause._replace(marks=(*clause.marks, EMPHASIZED))
+        if marker.place == "opener":
+            return with_opener(replaced(plan, index, changed, marker.text), marker)
+        stressed = clause.clause._replace(emphasizers=(marker.text,))
+        return replaced(plan, index, changed._replace(clause=stressed), marker.text)
     return None
 
 
-def _stress_fits(plan: SentencePlan, index: int, marker: Marker) -> bool:
+def _stress_places(plan: SentencePlan, index: int) -> set[str]:
+    """Return where a clause can be stressed; after "be" it is the adjective that is."""
     clause = plan.clauses[index]
-    if marker.place == "degree":
-        return _degree_fits(clause)
-    if marker.place == "opener":
-        return index == 0 and not plan.first and opener_fits(plan)
-    # After "be" a stress goes to the adjective; in the middle it would stress the wrong thing.
-    verb = clause.clause.verb
-    suits = verb in marker.verbs if marker.verbs else verb not in ("be", "have")
-    if any(_is_adverb(phrase) for phrase in clause.clause.adverbials):
-        return False
-    return suits and pause_fits(clause) and not clause.clause.quotation
+    spec = clause.clause
+    places = set()
+    if _degree_fits(clause):
+        places.add("degree")
+    if index == 0 and not plan.first and opener_fits(plan):
+        places.add("opener")
+    weak = spec.verb in ("be", "have") or spec.quotation
+    if not weak and pause_fits(clause) and not any(map(_is_adverb, spec.adverbials)):
+        places.add("middle")
+    return places
 
 
 def _is_adverb(phrase: Phrase) -> bool:
@@ -226,11 +231,9 @@ def negation(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> Sen
         if concept is None or not concept.antonyms:
             continue
         antonym = rng.choose("antonym", concept.antonyms, [1.0] * len(concept.antonyms))
-        opposite = replace(
-            clause.clause, complement=AdjectivePhrase(antonym), negated=True
-        )
+        opposite = clause.clause._replace(complement=AdjectivePhrase(antonym), negated=True)
         marks = (*clause.marks, ANTONYM)
-        changed = replace(clause, clause=opposite, gradable=False, marks=marks)
+        changed = clause._replace(clause=opposite, gradable=False, marks=marks)
         return replaced(plan, index, changed, antonym)
     return None
 
@@ -246,8 +249,8 @@ def subject_implicitness(
             continue
         owner = subject.possessor
         if owner is not None and owner.entity == before and clause.frame is None:
-            implicit = replace(subject, possessor=None, determiner="the")
-            changed = replace(clause, clause=replace(clause.clause, subject=implicit))
+            implicit = subject._replace(possessor=None, determiner="the")
+            changed = clause._replace(clause=clause.clause._replace(subject=implicit))
             return replaced(plan, index, changed, "subject_implicitness")
         before = subject.entity
     return None

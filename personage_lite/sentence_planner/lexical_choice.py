@@ -6,12 +6,12 @@ paper, section IV-C (positive emotion words).
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Sequence
 from math import exp
 
 from personage_lite.lexicon import Concept, Lexicon, Word
 from personage_lite.plan import ClausePlan, Decision, SentencePlan
-from personage_lite.randomness import Draws
+from personage_lite.randomness import Draws, pick
 from personage_lite.realizer.specification import (
     AdjectivePhrase,
     Cased,
@@ -51,25 +51,37 @@ class LexicalChoice:
         self.decisions: list[Decision] = []
         self.words: list[str] = []
 
-    def _weight(self, word: Word, verb: bool) -> float:
-        power = self._frequency * word.frequency + self._length * len(word.text)
-        power += self._emotion * word.emotion
-        if verb:
-            power += self._strength * word.strength
-        return exp(power) * _WORN ** self._state.times_recent(word.text)
+    def _weights(self, words: Sequence[Word], verb: bool) -> list[float]:
+        strength = self._strength if verb else 0.0
+        frequency, length, emotion = self._frequency, self._length, self._emotion
+        weights = [
+            exp(
+                frequency * word.frequency
+                + length * len(word.text)
+                + emotion * word.emotion
+                + strength * word.strength
+            )
+            for word in words
+        ]
+        worn = self._state.worn
+        if worn:
+            for index, word in enumerate(words):
+                weights[index] *= _WORN ** worn.get(word.text, 0)
+        return weights
 
     def _choose(self, concept: Concept, verb: bool, other_than: str = "") -> Word:
-        words = [word for word in concept.words if word.text != other_than] or list(concept.words)
-        weights = [self._weight(word, verb) for word in words]
-        name = f"lexical_choice/{concept.name}{'/again' if other_than else ''}"
-        word = self._draws.choose(name, words, weights)
+        words: Sequence[Word] = concept.words
+        if other_than:
+            words = [word for word in words if word.text != other_than] or words
+        if len(words) == 1:
+            return words[0]
+        weights = self._weights(words, verb)
+        draw = self._draws.uniform(f"lexical_choice/{concept.name}{'/again' * bool(other_than)}")
+        word = pick(draw, words, weights)
         chance = weights[words.index(word)] / sum(weights)
-        draw = self._draws.uniform(name)
+        name = concept.name
         self.decisions.append(
-            Decision(
-                "lexical_choice", STAGE, round(chance, 4), draw, "applied", concept.name,
-                concept.name, word.text,
-            )
+            Decision("lexical_choice", STAGE, chance, draw, "applied", name, name, word.text)
         )
         self.words.append(word.text)
         return word
@@ -86,7 +98,7 @@ class LexicalChoice:
         concept = self._lexicon.adjectives.get(phrase.adjective)
         if concept is None:
             return phrase
-        return replace(phrase, adjective=self.word(concept).text)
+        return phrase._replace(adjective=self.word(concept).text)
 
     def phrase(self, phrase: Phrase, restated: bool) -> Phrase:
         """Return a phrase with words for its concepts; a restatement gets another word."""
@@ -99,7 +111,7 @@ class LexicalChoice:
                 concept = self._lexicon.adjectives.get(last.adjective)
             if concept is not None and isinstance(last, AdjectivePhrase):
                 other = self._choose(concept, False, self.word(concept).text)
-                items[-1] = replace(last, adjective=other.text)
+                items[-1] = last._replace(adjective=other.text)
             return Coordination(tuple(items), phrase.conjunction)
         return phrase
 
@@ -119,7 +131,7 @@ class LexicalChoice:
             changes["complement"] = self.phrase(clause.complement, plan.role == "restatement")
         if clause.asides:
             changes["asides"] = tuple(self._aside(aside) for aside in clause.asides)
-        return replace(plan, clause=replace(clause, **changes)) if changes else plan  # type: ignore[arg-type]
+        return plan._replace(clause=clause._replace(**changes)) if changes else plan  # type: ignore[arg-type]
 
     def _aside(self, phrase: Phrase) -> Phrase:
         """Choose the adjectives inside "with pink eyes"."""
@@ -129,7 +141,7 @@ class LexicalChoice:
         for part in phrase.parts:
             if isinstance(part, Cased) and part.phrase.adjectives:
                 chosen = tuple(self.adjective(item) for item in part.phrase.adjectives)
-                noun: NounPhrase = replace(part.phrase, adjectives=chosen)
+                noun: NounPhrase = part.phrase._replace(adjectives=chosen)
                 parts.append(Cased(noun, part.case))
             else:
                 parts.append(part)
@@ -141,12 +153,13 @@ class LexicalChoice:
         contracted = draw < self._contractions
         self.decisions.append(
             Decision(
-                "contractions", STAGE, self._contractions, draw,
-                "applied" if contracted else "not_drawn", f"sentence {index + 1}",
+                "contractions",
+                STAGE,
+                self._contractions,
+                draw,
+                "applied" if contracted else "not_drawn",
+                f"sentence {index + 1}",
             )
         )
-        return replace(
-            plan, clauses=tuple(self.clause(clause, contracted) for clause in plan.clauses)
+        return plan._replace(clauses=tuple(self.clause(clause, contracted) for clause in plan.clauses)
         )
-
-

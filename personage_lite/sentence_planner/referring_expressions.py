@@ -7,13 +7,11 @@ Joshi & Weinstein 1995; Reiter & Dale 2000, section 5.4).
 
 from __future__ import annotations
 
-from dataclasses import replace
 
 from personage_lite.facts import Character, Entity
 from personage_lite.plan import ClausePlan, Decision, SentencePlan
 from personage_lite.randomness import Draws
 from personage_lite.realizer.specification import Cased, Clause, NounPhrase, Phrase, Text
-from personage_lite.realizer.syntax import pronoun_row
 from personage_lite.state import ConversationState
 
 STAGE = "referring_expressions"
@@ -64,20 +62,22 @@ class ReferringExpressions:
 
     # Choosing
 
-    def _rivals(self, entity: Entity) -> list[str]:
-        row = pronoun_row(entity.phrase)
-        return [
-            other
-            for other in {*self._here, *self._before}
-            if other != entity.id and pronoun_row(self._entities[other].phrase) == row
-        ]
+    def _has_rivals(self, entity: Entity) -> bool:
+        """Whether the pronoun could mean somebody else who was mentioned lately."""
+        own = entity.phrase
+        for key in (*self._here, *self._before):
+            other = self._entities[key].phrase
+            if other.number == own.number and key != entity.id:
+                if own.number == "plural" or other.gender == own.gender:
+                    return True
+        return False
 
     def _may_be_pronoun(self, entity: Entity, subjective: bool) -> bool:
         if entity.id not in self._here and entity.id not in self._before:
             return False
-        if not self._rivals(entity):
+        if subjective and self._subject == entity.id:
             return True
-        return subjective and self._subject == entity.id
+        return not self._has_rivals(entity)
 
     def form(self, phrase: NounPhrase, subjective: bool, bound: bool = False) -> NounPhrase:
         """Return a mention in the form in which it is said here."""
@@ -85,12 +85,12 @@ class ReferringExpressions:
         if entity is None:
             return phrase
         if bound:
-            return replace(phrase, pronoun=True)
+            return phrase._replace(pronoun=True)
         chosen = self._form(entity, phrase.stutter > 0, subjective)
         if phrase.stutter and not chosen.pronoun:
-            chosen = replace(chosen, stutter=phrase.stutter)
+            chosen = chosen._replace(stutter=phrase.stutter)
         if phrase.relative is not None:
-            chosen = replace(chosen, relative=phrase.relative)
+            chosen = chosen._replace(relative=phrase.relative)
         self._here.append(entity.id)
         self._said.add(entity.id)
         return chosen
@@ -107,9 +107,14 @@ class ReferringExpressions:
             applied = draw < probability
             self.decisions.append(
                 Decision(
-                    "pronominalization", STAGE, round(probability, 4), draw,
-                    "applied" if applied else "not_drawn", f"mention {self._count}",
-                    entity.name if applied else "", "pronoun" if applied else "",
+                    "pronominalization",
+                    STAGE,
+                    probability,
+                    draw,
+                    "applied" if applied else "not_drawn",
+                    f"mention {self._count}",
+                    entity.name if applied else "",
+                    "pronoun" if applied else "",
                 )
             )
             if applied:
@@ -153,17 +158,15 @@ class ReferringExpressions:
             clauses = tuple(self._clause_plan(clause, plan) for clause in plan.clauses)
         self._before = frozenset(self._here)
         self._turn_before = False
-        return replace(plan, clauses=clauses)
+        return plan._replace(clauses=clauses)
 
     def _clause_plan(self, plan: ClausePlan, sentence: SentencePlan) -> ClausePlan:
         relative = plan.link in ("relative", "object_relative")
         frame = plan.frame
         if frame is not None and frame.lead is not None:
-            frame = replace(frame, lead=self._text(frame.lead))
-        named = plan.link == "main" and any(
-            other.link == "relative" for other in sentence.clauses
-        )
-        return replace(plan, clause=self._clause(plan.clause, relative, named), frame=frame)
+            frame = frame._replace(lead=self._text(frame.lead))
+        named = plan.link == "main" and any(other.link == "relative" for other in sentence.clauses)
+        return plan._replace(clause=self._clause(plan.clause, relative, named), frame=frame)
 
     def _clause(self, clause: Clause, relative: bool, named: bool) -> Clause:
         subject = clause.subject
@@ -180,18 +183,20 @@ class ReferringExpressions:
         elif subject is not None and subject.possessor is not None:
             owner = subject.possessor.entity
             possessor = self.form(subject.possessor, subjective=False)
-            changes["subject"] = replace(subject, possessor=possessor)
+            changes["subject"] = subject._replace(possessor=possessor)
         self._clause_subject = owner
-        for name in ("indirect_object", "object", "complement"):
-            phrase = getattr(clause, name)
-            if isinstance(phrase, Text):
-                changes[name] = self._text(phrase)
-        for name in ("adverbials", "asides"):
-            phrases = getattr(clause, name)
-            if phrases:
-                changes[name] = tuple(self._phrase(phrase) for phrase in phrases)
+        if isinstance(clause.indirect_object, Text):
+            changes["indirect_object"] = self._text(clause.indirect_object)
+        if isinstance(clause.object, Text):
+            changes["object"] = self._text(clause.object)
+        if isinstance(clause.complement, Text):
+            changes["complement"] = self._text(clause.complement)
+        if clause.adverbials:
+            changes["adverbials"] = tuple(self._phrase(phrase) for phrase in clause.adverbials)
+        if clause.asides:
+            changes["asides"] = tuple(self._phrase(phrase) for phrase in clause.asides)
         self._subject = owner or self._subject
-        return replace(clause, **changes) if changes else clause  # type: ignore[arg-type]
+        return clause._replace(**changes) if changes else clause  # type: ignore[arg-type]
 
     def _phrase(self, phrase: Phrase) -> Phrase:
         return self._text(phrase) if isinstance(phrase, Text) else phrase

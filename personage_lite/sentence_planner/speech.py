@@ -5,7 +5,6 @@ Source: Mairesse & Walker 2011, section 4.4; the paper, section IV-C and figure 
 
 from __future__ import annotations
 
-from dataclasses import replace
 
 from personage_lite.lexicon import Lexicon, Marker
 from personage_lite.operators import OperatorDraws
@@ -46,7 +45,7 @@ def acknowledgments(
     """Answer the listener: "Yeah, …", "I see! You want …"."""
     if plan.fragment is not None:
         return _opener(plan, "acknowledgments", ("question",), rng, lexicon)
-    places = ("sentence", "utterance" if plan.first else "sentence")
+    places: tuple[str, ...] = ("sentence", "utterance") if plan.first else ("sentence",)
     if plan.answers:
         places = (*places, "answer")
     return _opener(plan, "acknowledgments", places, rng, lexicon)
@@ -70,8 +69,8 @@ def filled_pauses(
             continue
         if marker.place == "opener":
             return with_opener(plan, marker)
-        paused = replace(clause.clause, interruption=marker.text)
-        return replaced(plan, index, replace(clause, clause=paused), marker.text)
+        paused = clause.clause._replace(interruption=marker.text)
+        return replaced(plan, index, clause._replace(clause=paused), marker.text)
     return None
 
 
@@ -125,7 +124,7 @@ def competence_mitigation(
     if marker.place == "opener":
         return with_opener(plan, marker)
     frame = Frame(marker.text, "clause", Text((marker.text,)), "", inner_tag=True)
-    return replaced(plan, 0, replace(first, frame=frame), marker.text)
+    return replaced(plan, 0, first._replace(frame=frame), marker.text)
 
 
 def tag_question(
@@ -147,18 +146,16 @@ def tag_question(
     marker = rng.marker(able)
     if marker is None:
         return None
-    return replace(plan, tag=marker.text, words=(*plan.words, marker.text))
+    return plan._replace(tag=marker.text, words=(*plan.words, marker.text))
 
 
-def exclamation(
-    plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon
-) -> SentencePlan | None:
+def exclamation(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> SentencePlan | None:
     """End with an exclamation mark; not what is asked or hedged."""
     if plan.fragment is not None or plan.tag or plan.afterthought or plan.terminal != ".":
         return None
     if any(SOFTENED in clause.marks for clause in plan.clauses):
         return None
-    return replace(plan, terminal="!")
+    return plan._replace(terminal="!")
 
 
 def in_group_marker(
@@ -172,7 +169,7 @@ def in_group_marker(
     marker = rng.marker(lexicon.markers["in_group_marker"])
     if marker is None:
         return None
-    return replace(plan, vocative=marker.text, words=(*plan.words, marker.text))
+    return plan._replace(vocative=marker.text, words=(*plan.words, marker.text))
 
 
 def stuttering(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> SentencePlan | None:
@@ -185,14 +182,16 @@ def stuttering(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> S
         return None
     times = 2 if rng.uniform("twice") < _TWICE else 1
     if subject.possessor is not None:
-        stuttered = replace(subject, possessor=replace(subject.possessor, stutter=times))
+        stuttered = subject._replace(possessor=subject.possessor._replace(stutter=times))
     else:
-        stuttered = replace(subject, stutter=times)
-    clause = replace(first, clause=replace(first.clause, subject=stuttered))
+        stuttered = subject._replace(stutter=times)
+    clause = first._replace(clause=first.clause._replace(subject=stuttered))
     return replaced(plan, 0, clause, "stutter")
 
 
-def object_ellipsis(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> SentencePlan | None:
+def object_ellipsis(
+    plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon
+) -> SentencePlan | None:
     """Break off after the verb and start again: "Alice is … Alice is curious"."""
     if not plan.clauses or plan.openers or plan.connective:
         return None
@@ -203,4 +202,4 @@ def object_ellipsis(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon)
         clause.link == "relative" for clause in plan.clauses
     ):
         return None
-    return replace(plan, false_start=True)
+    return plan._replace(false_start=True)

@@ -6,10 +6,9 @@ polarity).
 
 from __future__ import annotations
 
-from dataclasses import replace
 
 from personage_lite.facts import Character
-from personage_lite.lexicon import TOPIC, Lexicon, Marker, Template
+from personage_lite.lexicon import TOPIC, Lexicon, Template
 from personage_lite.operators import OperatorDraws, Turn
 from personage_lite.plan import ClausePlan, ContentPlan, Decision, Frame, Message, Status
 from personage_lite.realizer.specification import AdjectivePhrase, Cased, NounPhrase, Text
@@ -78,11 +77,9 @@ def framed(plan: ClausePlan, template: Template, lexicon: Lexicon, topic: NounPh
         lead: Text | None = Text((who,))
     else:
         lead = lead_text(template.lead, topic)
-    frame = Frame(
-        template.name, template.form, lead, template.complementizer, template.inner_tag
-    )
-    clause = replace(plan.clause, degree=True) if template.form == "degree" else plan.clause
-    return replace(plan, clause=clause, frame=frame)
+    frame = Frame(template.name, template.form, lead, template.complementizer, template.inner_tag)
+    clause = plan.clause._replace(degree=True) if template.form == "degree" else plan.clause
+    return plan._replace(clause=clause, frame=frame)
 
 
 def select_templates(
@@ -96,26 +93,29 @@ def select_templates(
     decisions: list[Decision] = []
     used: list[str] = []
     framed_before = False
+    offers = [
+        (name, turn.probability(name) * (_IMPERSONAL if name == "template_polarity" else 1.0))
+        for name in _PARAMETERS
+    ]
+    rows = {name: turn.draws.numbers(name, len(plan.messages)) for name in _PARAMETERS}
     for index, message in enumerate(plan.messages):
         clause = plain_clause(message, turn.lexicon)
-        for name in _PARAMETERS:
-            probability = turn.probability(name)
-            if name == "template_polarity":
-                probability *= _IMPERSONAL
-            scope = f"{name}/{index}"
-            draw = turn.draws.uniform(scope)
+        for name, probability in offers:
+            draw = rows[name][index]
             status: Status = "not_drawn"
             if draw < probability:
                 status = "not_applicable"
                 template = None
                 if not framed_before and clause.frame is None:
-                    template = _choose(name, clause, used, turn, turn.rng(scope))
+                    template = _choose(
+                        name, clause, used, turn, turn.rng(f"{name}/{index}")
+                    )
                 if template is not None:
                     clause = framed(clause, template, turn.lexicon, character.entity.phrase)
                     used.extend((template.name, name))
                     status = "applied"
             target = f"message {index + 1}"
-            decisions.append(Decision(name, STAGE, round(probability, 4), draw, status, target))
+            decisions.append(Decision(name, STAGE, probability, draw, status, target))
         framed_before = clause.frame is not None
         clauses.append(clause)
     return clauses, decisions, used
@@ -125,19 +125,19 @@ def _choose(
     parameter: str, clause: ClausePlan, used: list[str], turn: Turn, rng: OperatorDraws
 ) -> Template | None:
     """Choose among the templates that fit, by lean, freshness and connotation."""
+    able = [
+        template
+        for template in turn.lexicon.templates.get(parameter, ())
+        if template.name not in used and fits(template, clause)
+    ]
+    if not able:
+        return None
     liking = turn.parameters["template_polarity"]
-    weight = {"good": 2 * liking, "bad": 2 * (1 - liking), "": 1.0, "neutral": 1.0}
-    able = {
-        template.name: template
-        for template in turn.lexicon.templates
-        if template.parameter == parameter
-        and template.name not in used
-        and fits(template, clause)
-    }
-    chosen = rng.marker(
-        [
-            Marker(name, lean=item.lean, weight=item.weight * weight[item.connotation])
-            for name, item in able.items()
-        ]
-    )
-    return None if chosen is None else able[chosen.text]
+    factors = {"": 1.0, "neutral": 1.0, "good": 2 * liking, "bad": 2 * (1 - liking)}
+    weights = [
+        weight * factors[template.connotation]
+        for weight, template in zip(
+            rng.weights([template.marker for template in able]), able, strict=True
+        )
+    ]
+    return rng.choose("template", able, weights)
