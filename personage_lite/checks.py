@@ -78,7 +78,8 @@ def check_facts(place: Path) -> Report:
         report.faults += [str(fault) for fault in faults]
         report.faults += [str(fault) for fault in _content_faults(character, lexicon)]
         count += len(character.facts)
-    report.checked = f"facts ({len(files)} characters, {count} facts)"
+    characters = "1 character" if len(files) == 1 else f"{len(files)} characters"
+    report.checked = f"facts ({characters}, {count} fact{'s' * (count != 1)})"
     return report
 
 
@@ -100,6 +101,16 @@ def _content_faults(character: Character, lexicon: Lexicon) -> list[DataError]:
                 )
             )
         seen[key] = (fact.clause.negated, fact.id)
+        modal = fact.clause.modal
+        if modal and modal not in lexicon.grammar.modals:
+            faults.append(
+                DataError(
+                    character.file,
+                    fact.line,
+                    f"'{modal}' is no modal",
+                    nearest(modal, lexicon.grammar.modals),
+                )
+            )
         text = Realizer(lexicon.grammar).realize(Sentence(fact.clause))
         if "  " in text or " ," in text:
             faults.append(

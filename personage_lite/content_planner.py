@@ -100,7 +100,9 @@ def _weights(parameters: dict[str, float]) -> dict[tuple[str, str], float]:
         "plainly": 1.0,
         "somewhat": 2 * (1 - extreme) + 0.05,
     }
-    return {(one, other): polarity[one] * strength[other] for one in POLARITIES for other in STRENGTHS}
+    return {
+        (one, other): polarity[one] * strength[other] for one in POLARITIES for other in STRENGTHS
+    }
 
 
 class _Planner:
@@ -143,7 +145,10 @@ class _Planner:
         """Return what holds between two facts told one after the other."""
         found: Relation | None = None
         for relation in self.character.related.get(left.id, ()):
-            if right.id in (relation.nucleus, relation.satellite) and relation.kind != "restatement":
+            if (
+                right.id in (relation.nucleus, relation.satellite)
+                and relation.kind != "restatement"
+            ):
                 if found is None or relation.kind in ("justification", *_OPPOSING):
                     found = relation
         if found is not None:
@@ -233,9 +238,7 @@ def plan_content(character: Character, turn: Turn) -> tuple[ContentPlan, list[De
     messages = [Message(fact) for fact in planner.order(planner.chosen())]
     planner.say_again(messages)
     links = [
-        planner.link(left.fact, right.fact)
-        if right.role == "assertion"
-        else Link("restatement")
+        planner.link(left.fact, right.fact) if right.role == "assertion" else Link("restatement")
         for left, right in zip(messages, messages[1:], strict=False)
     ]
     links = planner.stress(links, messages)

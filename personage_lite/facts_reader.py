@@ -45,6 +45,13 @@ _CASES: dict[str | None, Case] = {
     ":self": "reflexive",
     ":subject": "subjective",
 }
+# The fields of a fact: an unknown one is named before anything else is missed.
+_FIELDS = (
+    *("id", "subject", "part", "predicate", "attribute", "complement", "particle"),
+    *("indirect_object", "object", "adverbials", "adverb", "quote", "tense", "modal"),
+    *("perfect", "progressive", "passive", "negated", "negator", "polarity", "strength"),
+    *("topic", "chapter", "source"),
+)
 _IDENTIFIER = re.compile(r"[a-z][a-z0-9_]*\Z")
 
 
@@ -63,13 +70,20 @@ def character_files(place: Path) -> dict[str, Path]:
     if place.is_file():
         return {place.stem: place}
     if not place.is_dir():
-        raise PersonageError(f"{place}: no such file or folder; check the path of --facts")
+        raise PersonageError(f"{place}: no such file or folder; check the path")
     files = sorted(path for path in place.rglob("*.yaml") if path.name != ENTITIES_FILE)
     if not files:
         raise PersonageError(
             f"{place}: holds no facts file; see docs/facts.md for how to write one"
         )
-    return {path.stem: path for path in files}
+    found: dict[str, Path] = {}
+    for path in files:
+        if path.stem in found:
+            raise PersonageError(
+                f"{path}: '{path.stem}' is also {found[path.stem]}; rename one of the two files"
+            )
+        found[path.stem] = path
+    return found
 
 
 def find_character(name: str, place: Path) -> Character:
@@ -214,17 +228,21 @@ class _FactReader:
         part = item.get("part")
         if part is None:
             return owner.phrase
-        try:
-            noun, number = part.text(), "singular"
-        except PersonageError:
-            noun = part.need("noun").text()
-            number = part.choice_of("number", ("singular", "plural"), "singular")
+        if part.is_mapping():
+            noun, number = (
+                _words(part, "noun"),
+                part.choice_of("number", ("singular", "plural"), "singular"),
+            )
+            part.need("noun")
             part.done()
+        else:
+            noun, number = _words(item, "part"), "singular"
         return NounPhrase(noun, possessor=owner.phrase, number=cast(Number, number))
 
     def fact(self, item: Node) -> Fact:
         """Read one fact into its clause and its planning values."""
         self._mentions = set()
+        item.only(_FIELDS)
         key = item.need("id").text()
         if not _IDENTIFIER.match(key):
             raise item.need("id").fault(f"'{key}' is no id", "use small letters, digits and _")
@@ -240,17 +258,17 @@ class _FactReader:
         clause = Clause(
             verb="be" if predicate is None else predicate.text(),
             subject=self._subject(item),
-            particle=item.text_of("particle"),
+            particle=_words(item, "particle"),
             indirect_object=self._optional_text(item, "indirect_object"),
             object=self._optional_text(item, "object"),
-            complement=AdjectivePhrase(attribute.text())
+            complement=AdjectivePhrase(_words(item, "attribute"))
             if attribute is not None
             else self._optional_text(item, "complement"),
             adverbials=tuple(self.text(node) for node in adverbials.sequence())
             if adverbials
             else (),
-            adverbs=(item.text_of("adverb"),) if item.get("adverb") else (),
-            quotation=item.text_of("quote"),
+            adverbs=(_words(item, "adverb"),) if item.get("adverb") else (),
+            quotation=_words(item, "quote"),
             tense=cast(Tense, item.choice_of("tense", ("present", "past", "future"), "present")),
             modal=item.text_of("modal"),
             perfect=item.flag_of("perfect"),
@@ -278,6 +296,19 @@ class _FactReader:
         )
         item.done()
         return fact
+
+
+def _words(item: Node, key: str) -> str:
+    """Return words that are said as they stand; a mention has no place in them."""
+    found = item.get(key)
+    if found is None:
+        return ""
+    words = found.text()
+    if "{" in words or "}" in words:
+        raise found.fault(
+            f"no mention can stand in '{key}'", "use object, complement or adverbials for it"
+        )
+    return words
 
 
 def _add_words(parts: list[str | Cased], words: str) -> None:

@@ -6,6 +6,7 @@ Generation is a pure function of the request, the seed and the conversation's st
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from copy import copy
 from pathlib import Path
 
 from personage_lite.content_planner import plan_content
@@ -53,6 +54,12 @@ class Generator:
         self._operators = tuple(operators)
         self._characters: dict[str, Character] = {}
 
+    def with_operators(self, operators: Sequence[Operator]) -> Generator:
+        """Return a generator with the same data and other pragmatic markers."""
+        other = copy(self)
+        other._operators = tuple(operators)
+        return other
+
     def character(self, name: str) -> Character:
         """Return a character by id or name, reading its file the first time it is asked for."""
         key = identifier(name)
@@ -92,7 +99,10 @@ class Generator:
         if rating not in RATINGS:
             raise PersonageError(f"no rating '{rating}'; choose from: {', '.join(RATINGS)}")
         draws = Draws(seed, state.turn)
-        fixed = check_overrides(self.style, overrides) if overrides else None
+        fixed = None
+        if overrides:
+            names = [operator.name for operator in self._operators]
+            fixed = check_overrides(self.style, overrides, names)
         parameters = self.style.values(x, draws, fixed)
         show = self._show if trace else None
         turn = Turn(parameters, draws, x, state, rating, self.lexicon, show)

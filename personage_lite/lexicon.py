@@ -13,20 +13,6 @@ from personage_lite.realizer.grammar import Grammar, read_grammar
 from personage_lite.style import Style, read_style
 from personage_lite.yaml_reader import Node, read_yaml
 
-PLACES: tuple[str, ...] = (
-    "degree",
-    "middle",
-    "pause",
-    "lead",
-    "end",
-    "quantity",
-    "opener",
-    "utterance",
-    "sentence",
-    "question",
-    "answer",
-    "connective",
-)
 ATTACHMENTS: tuple[str, ...] = ("coordinate", "subordinate", "fronted", "connective")
 RATINGS: tuple[str, ...] = ("clean", "mild", "strong")
 Rating: TypeAlias = Literal["clean", "mild", "strong"]
@@ -67,6 +53,7 @@ class Template(NamedTuple):
     polarity: str
     connotation: str
     inner_tag: bool
+    emphatic: bool
     marker: Marker
 
 
@@ -104,30 +91,31 @@ class Lexicon(NamedTuple):
     grammar: Grammar
 
 
-# Which markers the runner asks for by name: a file without one of them cannot work.
-MARKER_KINDS: tuple[str, ...] = (
-    "softener_hedges",
-    "informal_softeners",
-    "weakened_positive_content",
-    "emphasizer_hedges",
-    "acknowledgments",
-    "filled_pauses",
-    "expletives",
-    "near_expletives",
-    "tag_question",
-    "in_group_marker",
-    "competence_mitigation",
-    "request_confirmation",
-    "initial_rejection",
-    "contrast_cue_word",
-    "justify_cue_word",
-    "concede_cue_word",
-    "sequence_cue_word",
-    "conjunction",
-    "with_cue_word",
-    "also_cue_word",
-    "merge_with_comma",
-)
+# The kinds of markers that the operators ask for, each with the places that it can stand in
+# (no place: there is but one).
+MARKER_PLACES: dict[str, tuple[str, ...]] = {
+    "softener_hedges": ("degree", "pause", "quantity", "lead", "end"),
+    "informal_softeners": ("degree", "pause", "quantity", "lead", "end"),
+    "weakened_positive_content": ("degree",),
+    "emphasizer_hedges": ("degree", "middle", "opener"),
+    "acknowledgments": ("utterance", "sentence", "question", "answer"),
+    "filled_pauses": ("pause", "opener"),
+    "expletives": ("degree", "opener"),
+    "near_expletives": ("degree", "opener"),
+    "tag_question": (),
+    "in_group_marker": (),
+    "competence_mitigation": ("lead", "opener"),
+    "request_confirmation": (),
+    "initial_rejection": (),
+    "contrast_cue_word": (),
+    "justify_cue_word": (),
+    "concede_cue_word": (),
+    "sequence_cue_word": (),
+    "conjunction": (),
+    "with_cue_word": (),
+    "also_cue_word": ("middle", "connective"),
+    "merge_with_comma": (),
+}
 
 
 def load_lexicon(folder: Path) -> Lexicon:
@@ -153,26 +141,27 @@ def load_style(folder: Path, name: str) -> Style:
 
 def _read_markers(node: Node) -> dict[str, tuple[Marker, ...]]:
     found: dict[str, tuple[Marker, ...]] = {}
-    for kind in MARKER_KINDS:
+    for kind, places in MARKER_PLACES.items():
         listed = node.need(kind)
         items = listed.sequence()
         if not items:
             raise listed.fault(f"'{kind}' is empty", "add at least one marker")
-        found[kind] = tuple(_marker(item) for item in items)
+        found[kind] = tuple(_marker(item, kind, places) for item in items)
     node.done()
     return found
 
 
-def _marker(item: Node) -> Marker:
-    if item.is_text():
+def _marker(item: Node, kind: str, places: tuple[str, ...]) -> Marker:
+    cue = kind.endswith("cue_word") and not places and kind != "with_cue_word"
+    if item.is_text() and not places and not cue:
         return Marker(item.text())
     marker = Marker(
         text=item.need("text").text(),
-        place=item.choice_of("place", PLACES, ""),
+        place=item.need("place").choice(places) if places else "",
         after=item.choice_of("after", (",", "!", "?", "…", "."), ""),
         lean=item.number_of("lean", -1, 1, 0.0),
         weight=item.number_of("weight", 0, 100, 1.0),
-        attach=item.choice_of("attach", ATTACHMENTS, ""),
+        attach=item.need("attach").choice(ATTACHMENTS) if cue else item.text_of("attach"),
         role=item.choice_of("role", ("nucleus", "satellite"), ""),
         own_subject=item.flag_of("own_subject"),
         verbs=item.texts_of("verbs"),
@@ -196,6 +185,7 @@ def _read_templates(node: Node) -> tuple[dict[str, tuple[Template, ...]], dict[s
             polarity=item.choice_of("polarity", POLARITIES, ""),
             connotation=item.choice_of("connotation", POLARITIES, ""),
             inner_tag=item.choice_of("tag", ("inner",), "") == "inner",
+            emphatic=item.flag_of("emphatic"),
             marker=Marker(
                 name,
                 lean=item.number_of("lean", -1, 1, 0.0),

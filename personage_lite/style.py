@@ -7,7 +7,7 @@ their probability").
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Literal, NamedTuple, TypeAlias, cast
 
 from personage_lite.errors import PersonageError, nearest
@@ -87,11 +87,17 @@ def check_x(x: float) -> float:
     return number
 
 
-def check_overrides(style: Style, overrides: Mapping[str, float]) -> dict[str, float]:
-    """Return the overrides as given; raises `PersonageError` for an unknown name or value."""
+def check_overrides(
+    style: Style, overrides: Mapping[str, float], more: Iterable[str] = ()
+) -> dict[str, float]:
+    """Return the overrides as given; raises `PersonageError` for an unknown name or value.
+
+    `more` are names that count as parameters too: those of a user's own operators.
+    """
+    known = {*style.parameters, *more}
     for name, value in overrides.items():
-        if name not in style.parameters:
-            raise PersonageError(f"no parameter '{name}'; {nearest(name, style.parameters)}")
+        if name not in known:
+            raise PersonageError(f"no parameter '{name}'; {nearest(name, known)}")
         if not 0.0 <= value <= 1.0:
             raise PersonageError(f"{name} is {value:g}; give a number from 0 to 1")
     return dict(overrides)

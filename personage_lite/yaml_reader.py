@@ -6,7 +6,7 @@ refused here, because a word list that holds "no" must hold the word.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -85,9 +85,14 @@ class Node:
 
     def done(self) -> None:
         """Refuse every key that nobody asked for: a misspelt field is an error, not a surprise."""
+        self.only(self._read)
+
+    def only(self, known: Iterable[str]) -> None:
+        """Refuse every key that is not among the known ones."""
+        names = tuple(known)
         for key, value in self.mapping().items():
-            if key not in self._read:
-                raise value.fault(f"unknown field '{key}'", nearest(key, self._read))
+            if key not in names:
+                raise value.fault(f"unknown field '{key}'", nearest(key, names))
 
     def text_of(self, key: str, default: str = "") -> str:
         """Return the text under `key`, or `default`."""
@@ -128,6 +133,10 @@ class Node:
         if not found:
             raise self.fault("the list is empty", "add at least one item, or remove the key")
         return found
+
+    def is_mapping(self) -> bool:
+        """Whether the value is made of keys and values."""
+        return isinstance(self._node, yaml.MappingNode)
 
     def is_sequence(self) -> bool:
         """Whether the value is a list."""

@@ -32,4 +32,5 @@ def run(arguments: argparse.Namespace) -> None:
             record = {"character": entity.id, "name": entity.name, "facts": len(character.facts)}
             print(json.dumps(record, ensure_ascii=False))
         else:
-            print(f"{entity.id:<{width}}  {len(character.facts):>3} facts  {entity.name}")
+            count = len(character.facts)
+            print(f"{entity.id:<{width}}  {count:>3} fact{'s' * (count != 1):1}  {entity.name}")

@@ -21,6 +21,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     add("--format", choices=("text", "json"), default="text", help="text, or JSON lines")
     add("--trace", action="store_true", help="explain every decision, after the text")
     add("--facts", metavar="PATH", help="your own facts: a file or a folder")
+    add("--lexicons", metavar="PATH", help="your own lexicons: a copy of the folder, edited")
     add(
         "--set",
         action="append",
@@ -80,7 +81,7 @@ def run(arguments: argparse.Namespace) -> None:
         seed = whole_number(arguments.seed, "--seed", 0)
     count = whole_number(arguments.count, "--count", 1)
     overrides = parse_overrides(arguments.set)
-    generator = Generator(facts=arguments.facts)
+    generator = Generator(facts=arguments.facts, lexicons=arguments.lexicons)
     for utterance in generator.turns(
         arguments.character,
         arguments.x,

@@ -318,7 +318,7 @@ class Syntax:
         self.noun_phrase(out, subject._replace(pronoun=True, relative=None), "subjective")
 
     def _sounds_negative(self, clause: Clause) -> bool:
-        """Whether a tag must be positive: "she never …, does she?", "she fears nobody, does she?"."""
+        """Whether a tag must be positive: "she never runs, does she?", "… nobody, does she?"."""
         if clause.negated or self._negative_adverbs(clause.adverbs):
             return True
         return (

@@ -123,9 +123,7 @@ def _join(pair: Pair, index: int, turn: Turn) -> tuple[Joint, list[Decision]]:
             after = " ".join(turn.show(sentence) for sentence in joint)
         chance = joiner.factor * turn.parameters[name] / total
         status: Status = "not_applicable" if joint is None else "applied"
-        decisions.append(
-            Decision(name, "aggregation", chance, draw, status, target, before, after)
-        )
+        decisions.append(Decision(name, "aggregation", chance, draw, status, target, before, after))
         if joint is not None:
             return joint, decisions
         able.remove(joiner)

@@ -128,7 +128,8 @@ def merge(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | None:
     strength = "somewhat" if "somewhat" in (last.strength, right.strength) else last.strength
     return _replace_last(
         pair.left,
-        last._replace(clause=clause,
+        last._replace(
+            clause=clause,
             facts=(*last.facts, *right.facts),
             strength=strength,
             gradable=False,

@@ -161,5 +161,6 @@ class LexicalChoice:
                 f"sentence {index + 1}",
             )
         )
-        return plan._replace(clauses=tuple(self.clause(clause, contracted) for clause in plan.clauses)
+        return plan._replace(
+            clauses=tuple(self.clause(clause, contracted) for clause in plan.clauses)
         )

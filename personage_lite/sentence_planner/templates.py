@@ -12,6 +12,7 @@ from personage_lite.lexicon import TOPIC, Lexicon, Template
 from personage_lite.operators import OperatorDraws, Turn
 from personage_lite.plan import ClausePlan, ContentPlan, Decision, Frame, Message, Status
 from personage_lite.realizer.specification import AdjectivePhrase, Cased, NounPhrase, Text
+from personage_lite.sentence_planner.hedges import EMPHASIZED
 
 STAGE = "syntactic_template_selection"
 # In this order a message is offered a template; the first that is drawn and fits is taken.
@@ -79,7 +80,9 @@ def framed(plan: ClausePlan, template: Template, lexicon: Lexicon, topic: NounPh
         lead = lead_text(template.lead, topic)
     frame = Frame(template.name, template.form, lead, template.complementizer, template.inner_tag)
     clause = plan.clause._replace(degree=True) if template.form == "degree" else plan.clause
-    return plan._replace(clause=clause, frame=frame)
+    # What is sworn to is not hedged, nor stressed a second time.
+    marks = (*plan.marks, EMPHASIZED) if template.emphatic else plan.marks
+    return plan._replace(clause=clause, frame=frame, marks=marks)
 
 
 def select_templates(
@@ -107,9 +110,7 @@ def select_templates(
                 status = "not_applicable"
                 template = None
                 if not framed_before and clause.frame is None:
-                    template = _choose(
-                        name, clause, used, turn, turn.rng(f"{name}/{index}")
-                    )
+                    template = _choose(name, clause, used, turn, turn.rng(f"{name}/{index}"))
                 if template is not None:
                     clause = framed(clause, template, turn.lexicon, character.entity.phrase)
                     used.extend((template.name, name))

@@ -48,7 +48,8 @@ def _sequence(loader: _Loader, node: yaml.SequenceNode) -> tuple[Any, ...]:
 
 def _typed(kind: Any, loader: _Loader, node: yaml.Node) -> object:
     if isinstance(node, yaml.MappingNode):
-        return kind(**loader.construct_mapping(node, deep=True))
+        fields = loader.construct_mapping(node, deep=True)
+        return kind(**{str(name): value for name, value in fields.items()})
     if isinstance(node, yaml.SequenceNode):
         values = _sequence(loader, node)
     else:
@@ -62,8 +63,9 @@ for _tag, _kind in _TYPES.items():
     _Loader.add_constructor(_tag, partial(_typed, _kind))
 
 
-def read_cases(path: Path = Path(__file__).with_name("cases.yaml")) -> list[Case]:
+def read_cases() -> list[Case]:
     """Return every case of the file in its order."""
+    path = Path(__file__).with_name("cases.yaml")
     groups = yaml.load(path.read_text(encoding="utf-8"), Loader=_Loader)["groups"]
     return [
         Case(group, row["name"], row["spec"], row["text"])

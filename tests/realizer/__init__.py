@@ -1,0 +1,1 @@
+"""The surface realizer alone: reviewed cases, morphology, properties."""
