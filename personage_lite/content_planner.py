@@ -38,14 +38,18 @@ class _Choice:
         self._character = character
         self._turn = turn
         told = turn.state.told_of(character.entity.id)
-        fewest = min(told.get(key, 0) for key in character.by_id) if told else 0
-        self._open = {key for key in character.by_id if told.get(key, 0) == fewest}
-        self._table = _weights(turn.parameters)
+        self._table = table = _weights(turn.parameters)
         # A weight for each fact in the order of the file; 0 for what cannot be told now.
-        self._weights = [
-            self._table[fact.polarity, fact.strength] if self._ready(fact.id) else 0.0
-            for fact in character.facts
-        ]
+        if told:
+            fewest = min(told.get(key, 0) for key in character.by_id)
+            self._open = {key for key in character.by_id if told.get(key, 0) == fewest}
+            self._weights = [
+                table[fact.polarity, fact.strength] if self._ready(fact.id) else 0.0
+                for fact in character.facts
+            ]
+        else:
+            self._open = set(character.by_id)
+            self._weights = [table[kind] if kind else 0.0 for kind in character.openings]
 
     def _ready(self, key: str) -> bool:
         """Whether a fact is open and all that must be told before it has been told."""

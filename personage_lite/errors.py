@@ -6,7 +6,14 @@ from collections.abc import Iterable
 
 
 class PersonageError(Exception):
-    """A fault in what the user gave us; its message is one clear line with a remedy."""
+    """A fault in what the user gave us; its message is one clear line with a remedy.
+
+    >>> str(PersonageError("no character 'al\\nice'; did you mean alice?"))
+    "no character 'al ice'; did you mean alice?"
+    """
+
+    def __init__(self, message: str) -> None:
+        super().__init__(" ".join(message.splitlines()))
 
 
 class DataError(PersonageError):
@@ -20,6 +27,15 @@ class DataError(PersonageError):
         super().__init__(f"{file}:{line}: {what}; {remedy}")
         self.file = file
         self.line = line
+
+
+def shown(text: str) -> str:
+    """Return the user's text as a message quotes it: at most 40 characters of it.
+
+    >>> shown("x" * 1000) == "x" * 40 + "…"
+    True
+    """
+    return text if len(text) <= 40 else text[:40] + "…"
 
 
 def nearest(name: str, known: Iterable[str]) -> str:

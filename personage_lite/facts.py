@@ -111,7 +111,8 @@ class Relation(NamedTuple):
 class Character(NamedTuple):
     """All that is known of one entity, made by `character`; any kind of thing can be one.
 
-    `places` holds each fact's place in the file, `by_topic` the places of each topic's facts,
+    `places` holds each fact's place in the file, `openings` the polarity and strength of those
+    that can be told before anything else, `by_topic` the places of each topic's facts,
     `by_others` the places of those that are about somebody else. `related` holds each fact's
     relations; `prerequisites` the facts that must be told before a
     fact makes sense, `unlocks` the same the other way round.
@@ -125,6 +126,7 @@ class Character(NamedTuple):
     file: str
     by_id: dict[str, Fact]
     places: dict[str, int]
+    openings: tuple[tuple[Polarity, Strength] | None, ...]
     by_topic: dict[str, tuple[int, ...]]
     by_others: tuple[int, ...]
     related: dict[str, tuple[Relation, ...]]
@@ -163,6 +165,9 @@ def character(
         file=file,
         by_id={fact.id: fact for fact in facts},
         places={fact.id: place for place, fact in enumerate(facts)},
+        openings=tuple(
+            None if fact.id in prerequisites else (fact.polarity, fact.strength) for fact in facts
+        ),
         by_topic=by_topic,
         by_others=tuple(place for place, fact in enumerate(facts) if fact.about != about.id),
         related=related,

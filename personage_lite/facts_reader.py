@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import cast
 
-from personage_lite.errors import DataError, PersonageError, nearest
+from personage_lite.errors import DataError, PersonageError, nearest, shown
 from personage_lite.facts import (
     ORDERED_KINDS,
     POLARITIES,
@@ -67,9 +67,13 @@ def identifier(name: str) -> str:
 
 def character_files(place: Path) -> dict[str, Path]:
     """Return the facts files under a folder (or the one file given) by character id."""
-    if place.is_file():
-        return {place.stem: place}
-    if not place.is_dir():
+    try:
+        if place.is_file():
+            return {place.stem: place}
+        folder = place.is_dir()
+    except OSError as error:  # A name that is too long, a folder that is locked.
+        raise PersonageError(f"{place}: {error.strerror}; check the path") from None
+    if not folder:
         raise PersonageError(f"{place}: no such file or folder; check the path")
     files = sorted(path for path in place.rglob("*.yaml") if path.name != ENTITIES_FILE)
     if not files:
@@ -94,8 +98,7 @@ def find_character(name: str, place: Path) -> Character:
     files = character_files(place)
     key = identifier(name)
     if key not in files:
-        shown = name if len(name) <= 40 else name[:40] + "…"
-        raise PersonageError(f"no character '{shown}'; {nearest(key, files)}")
+        raise PersonageError(f"no character '{shown(name)}'; {nearest(key[:200], files)}")
     return read_character(files[key])
 
 

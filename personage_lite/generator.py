@@ -16,11 +16,12 @@ from personage_lite.facts import Character
 from personage_lite.facts_reader import character_files, find_character, identifier
 from personage_lite.lexicon import RATINGS, Lexicon, Rating, load_lexicon, load_style
 from personage_lite.operators import Operator, Turn
-from personage_lite.plan import SentencePlan, Utterance
+from personage_lite.plan import ClausePlan, SentencePlan, Utterance
 from personage_lite.randomness import Draws
 from personage_lite.realizer import Realizer
 from personage_lite.sentence_planner import PRAGMATIC_MARKERS, plan_sentences
 from personage_lite.sentence_planner.assembly import assemble
+from personage_lite.sentence_planner.templates import plain_clauses
 from personage_lite.state import ConversationState
 from personage_lite.style import check_overrides, check_x
 
@@ -53,6 +54,7 @@ class Generator:
         self.realizer = Realizer(self.lexicon.grammar)
         self._operators = tuple(operators)
         self._characters: dict[str, Character] = {}
+        self._plain: dict[str, dict[str, ClausePlan]] = {}
 
     def with_operators(self, operators: Sequence[Operator]) -> Generator:
         """Return a generator with the same data and other pragmatic markers."""
@@ -64,7 +66,9 @@ class Generator:
         """Return a character by id or name, reading its file the first time it is asked for."""
         key = identifier(name)
         if key not in self._characters:
-            self._characters[key] = find_character(name, self._facts)
+            about = find_character(name, self._facts)
+            self._characters[key] = about
+            self._plain[about.entity.id] = plain_clauses(about, self.lexicon)
         return self._characters[key]
 
     def characters(self) -> list[Character]:
@@ -95,6 +99,7 @@ class Generator:
         set()
         """
         about = self.character(character)
+        plain = self._plain[about.entity.id]
         x = check_x(x)
         if rating not in RATINGS:
             raise PersonageError(f"no rating '{rating}'; choose from: {', '.join(RATINGS)}")
@@ -108,7 +113,7 @@ class Generator:
         turn = Turn(parameters, draws, x, state, rating, self.lexicon, show)
 
         content, decisions = plan_content(about, turn)
-        planned = plan_sentences(content, about, turn, self._operators)
+        planned = plan_sentences(content, about, plain, turn, self._operators)
         text = " ".join(self.realizer.realize(sentence) for sentence in planned.sentences)
 
         opened = {d.operator for d in decisions if d.status == "applied"}

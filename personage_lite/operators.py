@@ -123,18 +123,25 @@ def run_operators(
 ) -> list[Decision]:
     """Offer each sentence to each operator in order, each with a draw of its own.
 
-    One that has reached its limit, or whose probability is 0, is not drawn any more. Replaces the sentences that were changed and returns the decisions.
+    One that has reached its limit, or whose probability is 0, is not drawn any more; one that is
+    drawn for no sentence gives a single decision, with the lowest of its draws. Replaces the
+    sentences that were changed and returns the decisions.
     """
     decisions: list[Decision] = []
     targets = [f"sentence {index + 1}" for index in range(len(sentences))]
+    everywhere = f"sentences 1 to {len(sentences)}" if len(sentences) > 1 else "sentence 1"
     words = {word for sentence in sentences for word in sentence.words}
     for operator in operators:
         name = operator.name
         probability = turn.probability(name)
         if probability <= 0.0:
             continue
-        used = 0
         row = turn.draws.numbers(name, len(sentences))
+        lowest = min(row)
+        if lowest >= probability:
+            decisions.append(Decision(name, stage, probability, lowest, "not_drawn", everywhere))
+            continue
+        used = 0
         for index, (target, draw) in enumerate(zip(targets, row, strict=True)):
             if draw >= probability:
                 decisions.append(Decision(name, stage, probability, draw, "not_drawn", target))

@@ -28,12 +28,11 @@ class Draws:
     True
     """
 
-    __slots__ = ("_gauss", "_row", "_uniform")
+    __slots__ = ("_row", "_uniform")
 
     def __init__(self, seed: int, turn: int) -> None:
         start = f"{seed}/{turn}/".encode()
         self._uniform = blake2b(start, digest_size=8)
-        self._gauss = blake2b(start, digest_size=12)
         self._row = blake2b(start, digest_size=64)
 
     def uniform(self, name: str) -> float:
@@ -54,14 +53,20 @@ class Draws:
             found += self.numbers(f"{name}+", count - _ROW)
         return found
 
-    def gauss(self, name: str) -> float:
-        """Return a number of mean 0 and deviation 1, within ±6, that belongs to `name`.
+    def gauss(self, count: int) -> list[float]:
+        """Return `count` numbers of mean 0 and deviation 1, within ±3.
 
-        The sum of twelve even bytes: near enough to normal, and exact on every machine.
+        Each is the sum of three even bytes: near enough to normal, and exact on every machine.
+        Asking for more leaves the first ones as they are.
         """
-        hasher = self._gauss.copy()
-        hasher.update(name.encode())
-        return (sum(hasher.digest()) - 1530) / 256.0
+        found: list[float] = []
+        while len(found) < count:
+            hasher = self._row.copy()
+            hasher.update(b"gauss/%d" % len(found))
+            digest = hasher.digest()
+            threes = zip(digest[0::3], digest[1::3], digest[2::3], strict=False)
+            found += [(one + two + three - 382.5) / 128.0 for one, two, three in threes]
+        return found[:count]
 
     def choose(self, name: str, options: Sequence[T], weights: Sequence[float]) -> T:
         """Return one of `options`, each with a chance in proportion to its weight (>= 0)."""

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Literal, NamedTuple, TypeAlias, cast
 
-from personage_lite.errors import PersonageError, nearest
+from personage_lite.errors import PersonageError, nearest, shown
 from personage_lite.randomness import Draws
 from personage_lite.yaml_reader import Node
 
@@ -62,15 +62,17 @@ class Style(NamedTuple):
         """
         left = min(int(x - LOWEST_X), _ANCHORS - 2)
         share = x - LOWEST_X - left
-        noise, gauss = self.noise, draws.gauss
+        noise = self.noise
         found: dict[str, float] = {}
-        for name, parameter in self.parameters.items():
-            low, high = parameter.anchors[left], parameter.anchors[left + 1]
-            value = low + (high - low) * share
+        # By place in the file: a new parameter goes to its end, so that the others stay.
+        deviations = draws.gauss(len(self.parameters))
+        for parameter, deviation in zip(self.parameters.values(), deviations, strict=True):
+            anchors = parameter.anchors
+            value = anchors[left] + (anchors[left + 1] - anchors[left]) * share
             if 0.0 < value < 1.0:
-                value += noise * gauss(name)
+                value += noise * deviation
                 value = 0.0 if value < 0.0 else 1.0 if value > 1.0 else value
-            found[name] = value
+            found[parameter.name] = value
         if overrides:
             found.update(overrides)
         return found
@@ -80,10 +82,11 @@ def check_x(x: float) -> float:
     """Return X as a float; raises `PersonageError` unless it is a number in [-2, 2]."""
     try:
         number = float(x)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         number = float("nan")
     if not LOWEST_X <= number <= HIGHEST_X:
-        raise PersonageError(f"X is {x}; give a number from -2 (introvert) to 2 (extravert)")
+        what = shown(str(x)) or "empty"
+        raise PersonageError(f"X is {what}; give a number from -2 (introvert) to 2 (extravert)")
     return number
 
 
@@ -97,7 +100,7 @@ def check_overrides(
     known = {*style.parameters, *more}
     for name, value in overrides.items():
         if name not in known:
-            raise PersonageError(f"no parameter '{name}'; {nearest(name, known)}")
+            raise PersonageError(f"no parameter '{shown(name)}'; {nearest(name[:200], known)}")
         if not 0.0 <= value <= 1.0:
             raise PersonageError(f"{name} is {value:g}; give a number from 0 to 1")
     return dict(overrides)

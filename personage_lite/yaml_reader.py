@@ -12,7 +12,7 @@ from typing import Any
 
 import yaml
 
-from personage_lite.errors import DataError, PersonageError, nearest
+from personage_lite.errors import DataError, PersonageError, nearest, shown
 
 # The C parser is several times faster; a machine without libyaml still works.
 _Loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
@@ -21,6 +21,9 @@ _INT = "tag:yaml.org,2002:int"
 _FLOAT = "tag:yaml.org,2002:float"
 _BOOL = "tag:yaml.org,2002:bool"
 _NULL = "tag:yaml.org,2002:null"
+# The parser recurses, and the C one dies of what is nested too deep. A file with fewer of the
+# characters that can nest anything than `_HARMLESS` need not be looked through for it.
+_NESTING, _HARMLESS, _DEEPEST = "[{-?", 3000, 100
 
 
 class Node:
@@ -161,7 +164,7 @@ class Node:
                 f"'{value}' is a truth value in YAML, not a word", f'put it in quotes: "{value}"'
             )
         if tag != _STR:
-            kind = "nothing" if tag == _NULL else f"'{value}'"
+            kind = "nothing" if tag == _NULL else f"'{shown(value)}'"
             raise self.fault(
                 f"expected text, found {kind}", 'write a text, in "quotes" if in doubt'
             )
@@ -174,14 +177,14 @@ class Node:
         tag, value = self._scalar()
         if tag == _BOOL and value.lower() in ("true", "false"):
             return value.lower() == "true"
-        raise self.fault(f"expected true or false, found '{value}'", "write true or false")
+        raise self.fault(f"expected true or false, found '{shown(value)}'", "write true or false")
 
     def choice(self, choices: tuple[str, ...]) -> str:
         """Return the value, which must be one of `choices`."""
         value = self.text()
         if value not in choices:
             raise self.fault(
-                f"'{value}' is not possible here", f"choose from: {', '.join(choices)}"
+                f"'{shown(value)}' is not possible here", f"choose from: {', '.join(choices)}"
             )
         return value
 
@@ -189,13 +192,17 @@ class Node:
         """Return the value as a number within `low` … `high`."""
         tag, value = self._scalar()
         if tag not in (_INT, _FLOAT):
-            raise self.fault(f"expected a number, found '{value}'", f"write {low:g} to {high:g}")
+            raise self.fault(
+                f"expected a number, found '{shown(value)}'", f"write {low:g} to {high:g}"
+            )
         try:
             number = float(value.replace("_", ""))
         except ValueError:
             number = float("nan")
         if not low <= number <= high:
-            raise self.fault(f"{value} is out of range", f"write a number from {low:g} to {high:g}")
+            raise self.fault(
+                f"{shown(value)} is out of range", f"write a number from {low:g} to {high:g}"
+            )
         return number
 
     def integer(self, low: int, high: int) -> int:
@@ -214,16 +221,23 @@ def read_yaml(path: Path, shown: str | None = None) -> Node:
     name = shown or str(path)
     try:
         content = path.read_bytes().decode("utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        reason = error.strerror if isinstance(error, OSError) else "it is not UTF-8 text"
-        raise PersonageError(f"{name}: cannot be read ({reason}); check the path") from None
+    except OSError as error:
+        raise PersonageError(f"{name}: cannot be read ({error.strerror}); check the path") from None
+    except UnicodeDecodeError as error:
+        line = error.object.count(b"\n", 0, error.start) + 1
+        raise DataError(name, line, "this is not UTF-8 text", "save the file as UTF-8") from None
     return parse_yaml(content, name)
 
 
 def parse_yaml(content: str, name: str) -> Node:
     """Parse YAML text into a `Node`; `name` is how error messages call it."""
     try:
+        if sum(content.count(mark) for mark in _NESTING) > _HARMLESS:
+            _refuse_deep_nesting(content, name)
         node = yaml.compose(content, Loader=_Loader)
+    except yaml.reader.ReaderError as error:  # A character that no YAML file can hold.
+        line = content.encode().count(b"\n", 0, error.position) + 1
+        raise DataError(name, line, f"not valid YAML ({error.reason})", "remove it") from None
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
         line = mark.line + 1 if mark else 1
@@ -232,3 +246,16 @@ def parse_yaml(content: str, name: str) -> Node:
     if node is None:
         raise DataError(name, 1, "the file is empty", "see docs/facts.md for what it holds")
     return Node(node, name)
+
+
+def _refuse_deep_nesting(content: str, name: str) -> None:
+    """Raise `DataError` at the first value that stands in too many others."""
+    depth = 0
+    for event in yaml.parse(content, Loader=_Loader):
+        if isinstance(event, yaml.CollectionStartEvent):
+            depth += 1
+            if depth > _DEEPEST:
+                line = event.start_mark.line + 1
+                raise DataError(name, line, f"more than {_DEEPEST} levels deep", "nest less")
+        elif isinstance(event, yaml.CollectionEndEvent):
+            depth -= 1

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 
-from personage_lite.errors import PersonageError
+from personage_lite.errors import PersonageError, shown
 
 HELP = "say something about a character, at extraversion X from -2 (introvert) to 2 (extravert)"
 EXAMPLE = "personage-lite generate --character alice --x 2 --seed 7"
@@ -44,9 +46,8 @@ def whole_number(text: str, option: str, lowest: int) -> int:
     except ValueError:
         number = lowest - 1
     if number < lowest or number >= 2**63:
-        shown = text if len(text) <= 40 else text[:40] + "…"
         raise PersonageError(
-            f"{option} is '{shown}'; give a whole number from {lowest} to 2^63 - 1"
+            f"{option} is '{shown(text)}'; give a whole number from {lowest} to 2^63 - 1"
         )
     return number
 
@@ -60,9 +61,10 @@ def parse_overrides(settings: list[str]) -> dict[str, float]:
             number = float(value)
         except ValueError:
             number = float("nan")
-        if not sign or number != number:
+        if not sign or isnan(number):
             raise PersonageError(
-                f"--set '{setting}' cannot be read; write PARAMETER=VALUE, as verbosity=0.8"
+                f"--set '{shown(setting)}' cannot be read; "
+                "write PARAMETER=VALUE, as verbosity=0.8"
             )
         overrides[name.strip()] = number
     return overrides

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from personage_lite.facts import Character
 from personage_lite.operators import Operator, Turn, run_operators
@@ -56,10 +56,17 @@ class PlannedSentences(NamedTuple):
 
 
 def plan_sentences(
-    plan: ContentPlan, character: Character, turn: Turn, operators: Sequence[Operator]
+    plan: ContentPlan,
+    character: Character,
+    plain: Mapping[str, ClausePlan],
+    turn: Turn,
+    operators: Sequence[Operator],
 ) -> PlannedSentences:
-    """Turn a content plan into sentences, ready for the realizer."""
-    clauses, decisions, used = select_templates(plan, character, turn)
+    """Turn a content plan into sentences, ready for the realizer.
+
+    `plain` holds every fact of the character as a plain clause, see `plain_clauses`.
+    """
+    clauses, decisions, used = select_templates(plan, character, plain, turn)
     sentences, joined = aggregate(clauses, plan.links, turn)
     decisions += joined
     sentences = with_openings(sentences, plan, character, turn)
@@ -137,12 +144,12 @@ def with_openings(
     sentences: list[SentencePlan], plan: ContentPlan, character: Character, turn: Turn
 ) -> list[SentencePlan]:
     """Note what each sentence follows, and open with what the content plan asks for."""
-    placed: list[SentencePlan] = []
-    before = ""
-    for sentence in sentences:
-        placed.append(sentence._replace(first=not placed, subject_before=before))
-        subject = sentence.clauses[-1].clause.subject
-        before = subject.entity if subject is not None else ""
+    placed = [sentences[0]._replace(first=True)]
+    for earlier, sentence in zip(sentences, sentences[1:], strict=False):
+        subject = earlier.clauses[-1].clause.subject
+        if subject is not None and subject.entity:
+            sentence = sentence._replace(subject_before=subject.entity)
+        placed.append(sentence)
     if plan.mitigation:
         rng = turn.rng("competence_mitigation/place")
         opened = speech.competence_mitigation(placed[0], rng=rng, lexicon=turn.lexicon)

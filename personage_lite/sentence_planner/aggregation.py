@@ -114,7 +114,9 @@ def conjunction(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | 
 def merge(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | None:
     """Join what shares subject and verb: "is kind, curious and brave", "has a cat and a dog"."""
     last, right = pair.last, pair.right
-    if not (_plain(last) and _plain(right) and last.link == "main" and _same_subject(last, right)):
+    if last.clause.verb != right.clause.verb or last.link != "main":
+        return None
+    if not (_plain(last) and _plain(right) and _same_subject(last, right)):
         return None
     if _opposed(last, right) or _shell(last.clause) != _shell(right.clause):
         return None

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from math import exp
 
 from personage_lite.lexicon import Concept, Lexicon, Word
-from personage_lite.plan import ClausePlan, Decision, SentencePlan
+from personage_lite.plan import ClausePlan, Decision, SentencePlan, Status
 from personage_lite.randomness import Draws, pick
 from personage_lite.realizer.specification import (
     AdjectivePhrase,
@@ -149,18 +149,14 @@ class LexicalChoice:
 
     def sentence(self, plan: SentencePlan, index: int) -> SentencePlan:
         """Return a sentence plan in words, contracted or not."""
-        draw = self._draws.uniform(f"contractions/{index}")
-        contracted = draw < self._contractions
-        self.decisions.append(
-            Decision(
-                "contractions",
-                STAGE,
-                self._contractions,
-                draw,
-                "applied" if contracted else "not_drawn",
-                f"sentence {index + 1}",
-            )
-        )
+        chance = self._contractions
+        contracted = chance >= 1.0
+        if 0.0 < chance < 1.0:
+            draw = self._draws.uniform(f"contractions/{index}")
+            contracted = draw < chance
+            status: Status = "applied" if contracted else "not_drawn"
+            target = f"sentence {index + 1}"
+            self.decisions.append(Decision("contractions", STAGE, chance, draw, status, target))
         return plan._replace(
             clauses=tuple(self.clause(clause, contracted) for clause in plan.clauses)
         )

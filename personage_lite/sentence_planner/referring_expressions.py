@@ -103,7 +103,9 @@ class ReferringExpressions:
                 probability = 1.0
             elif self._turn_before:
                 probability *= _ACROSS_TURNS
-            draw = self._draws.uniform(f"pronominalization/{self._count}")
+            draw = 0.0
+            if probability < 1.0:
+                draw = self._draws.uniform(f"pronominalization/{self._count}")
             applied = draw < probability
             self.decisions.append(
                 Decision(
@@ -123,15 +125,15 @@ class ReferringExpressions:
 
     def _name(self, entity: Entity, named: bool) -> NounPhrase:
         """Return the full name at the first mention, then a shorter one or a description."""
+        if entity.id not in self._said and entity.id not in self._known:
+            return entity.phrase
         draw = self._draws.uniform(f"name/{self._count}")
         if entity.id in self._said:
             able = [] if named else self._descriptions(entity)
             if able and draw < _DESCRIPTION:
                 return able[int(draw / _DESCRIPTION * len(able))]
             return entity.short_phrase
-        if entity.id in self._known and draw < _SHORT_AGAIN:
-            return entity.short_phrase
-        return entity.phrase
+        return entity.short_phrase if draw < _SHORT_AGAIN else entity.phrase
 
     def _descriptions(self, entity: Entity) -> list[NounPhrase]:
         """Return the descriptions that fit nobody else who was mentioned lately."""

@@ -7,10 +7,12 @@ polarity).
 from __future__ import annotations
 
 
-from personage_lite.facts import Character
+from collections.abc import Mapping
+
+from personage_lite.facts import Character, Fact
 from personage_lite.lexicon import TOPIC, Lexicon, Template
 from personage_lite.operators import OperatorDraws, Turn
-from personage_lite.plan import ClausePlan, ContentPlan, Decision, Frame, Message, Status
+from personage_lite.plan import ClausePlan, ContentPlan, Decision, Frame, Status
 from personage_lite.realizer.specification import AdjectivePhrase, Cased, NounPhrase, Text
 from personage_lite.sentence_planner.hedges import EMPHASIZED
 
@@ -21,9 +23,12 @@ _PARAMETERS = ("self_references", "template_polarity", "syntactic_complexity")
 _IMPERSONAL = 0.12
 
 
-def plain_clause(message: Message, lexicon: Lexicon) -> ClausePlan:
-    """Return a message as a plain clause, with no frame around it."""
-    fact = message.fact
+def plain_clauses(character: Character, lexicon: Lexicon) -> dict[str, ClausePlan]:
+    """Return each fact of a character as a plain clause, with no frame around it."""
+    return {fact.id: _plain_clause(fact, lexicon) for fact in character.facts}
+
+
+def _plain_clause(fact: Fact, lexicon: Lexicon) -> ClausePlan:
     complement = fact.clause.complement
     gradable = False
     if isinstance(complement, AdjectivePhrase):
@@ -36,7 +41,6 @@ def plain_clause(message: Message, lexicon: Lexicon) -> ClausePlan:
         strength=fact.strength,
         gradable=gradable,
         topic=fact.topic,
-        role=message.role,
     )
 
 
@@ -86,25 +90,30 @@ def framed(plan: ClausePlan, template: Template, lexicon: Lexicon, topic: NounPh
 
 
 def select_templates(
-    plan: ContentPlan, character: Character, turn: Turn
+    plan: ContentPlan, character: Character, plain: Mapping[str, ClausePlan], turn: Turn
 ) -> tuple[list[ClausePlan], list[Decision], list[str]]:
     """Give each message its clause, plain or framed; no two in a row are framed.
 
+    `plain` holds every fact as a plain clause, see `plain_clauses`.
     Returns the clauses, the decisions, and the templates and parameters used.
     """
     clauses: list[ClausePlan] = []
     decisions: list[Decision] = []
     used: list[str] = []
     framed_before = False
-    offers = [
-        (name, turn.probability(name) * (_IMPERSONAL if name == "template_polarity" else 1.0))
-        for name in _PARAMETERS
-    ]
-    rows = {name: turn.draws.numbers(name, len(plan.messages)) for name in _PARAMETERS}
+    offers = []
+    for name in _PARAMETERS:
+        probability = turn.probability(name)
+        if name == "template_polarity":
+            probability *= _IMPERSONAL
+        if probability > 0.0:
+            offers.append((name, probability, turn.draws.numbers(name, len(plan.messages))))
     for index, message in enumerate(plan.messages):
-        clause = plain_clause(message, turn.lexicon)
-        for name, probability in offers:
-            draw = rows[name][index]
+        clause = plain[message.fact.id]
+        if message.role != "assertion":
+            clause = clause._replace(role=message.role)
+        for name, probability, row in offers:
+            draw = row[index]
             status: Status = "not_drawn"
             if draw < probability:
                 status = "not_applicable"
