@@ -92,7 +92,8 @@ class Worker:
 
     def run(self, seconds: float) -> dict[str, float]:
         """Return the counts of one slice."""
-        assert self._process.stdin and self._process.stdout
+        assert self._process.stdin
+        assert self._process.stdout
         with suppress(BrokenPipeError):  # It has ended: there is no answer either.
             print(seconds, file=self._process.stdin, flush=True)
         line = self._process.stdout.readline()

@@ -116,7 +116,7 @@ def _checked(name: str, subject: Subject) -> Subject:
 
 
 SUBJECTS: dict[str, Callable[[], Subject]] = {
-    "nothing": lambda: lambda number: ("", 0),
+    "nothing": lambda: lambda _: ("", 0),
     "styled": lambda: styled(XS),
     **{f"styled, X = {x}": partial(styled, (x,)) for x in XS},
     "realizer": realizer,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -32,7 +33,7 @@ def check_all() -> Report:
 
 def check_path(path: Path) -> Report:
     """Check a facts file, a folder of facts, or a folder of lexicons."""
-    if (path / "markers.yaml").is_file():
+    if os.path.isfile(path / "markers.yaml"):  # False, too, for a path that cannot be one.
         return check_lexicons(path)
     return check_facts(path)
 

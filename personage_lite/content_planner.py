@@ -6,6 +6,7 @@ the choice. Source: Mairesse & Walker 2011, section 4.1; the paper, section IV-C
 
 from __future__ import annotations
 
+from itertools import pairwise
 from math import floor
 
 from personage_lite.facts import POLARITIES, STRENGTHS, Character, Fact, Relation
@@ -21,7 +22,7 @@ _RELATED = {
     "elaboration": 9.0,
     "justification": 9.0,
     "sequence": 6.0,
-    "restatement": 0.6,
+    "restatement": 0.1,
     "concession": 10.0,
     "contrast": 10.0,
 }
@@ -141,7 +142,7 @@ class _Planner:
                 break
             facts.append(fact)
             last = fact
-        target = f"{len(facts)} facts"
+        target = f"{len(facts)} fact{'s' * (len(facts) != 1)}"
         self.decisions.append(Decision("verbosity", STAGE, verbosity, draw, "applied", target))
         return facts
 
@@ -149,12 +150,11 @@ class _Planner:
         """Return what holds between two facts told one after the other."""
         found: Relation | None = None
         for relation in self.character.related.get(left.id, ()):
-            if (
-                right.id in (relation.nucleus, relation.satellite)
-                and relation.kind != "restatement"
-            ):
-                if found is None or relation.kind in ("justification", *_OPPOSING):
-                    found = relation
+            between = right.id in (relation.nucleus, relation.satellite)
+            if not between or relation.kind == "restatement":
+                continue
+            if found is None or relation.kind in ("justification", *_OPPOSING):
+                found = relation
         if found is not None:
             return Link(
                 found.kind,
@@ -173,6 +173,8 @@ class _Planner:
         stressed = []
         for link, left, right in zip(links, messages, messages[1:], strict=False):
             opposed = {left.fact.polarity, right.fact.polarity} == {"good", "bad"}
+            # Deeds have an order in time that would be lost.
+            opposed = opposed and left.fact.clause.verb == right.fact.clause.verb == "be"
             if link.kind == "concession" and opposed and self.decide("concession_polarity"):
                 link = link._replace(satellite_first=left.fact.polarity == "bad")
             stressed.append(link)
@@ -183,7 +185,7 @@ class _Planner:
         if len(facts) < 2 or not self.decide("positive_content_first"):
             return facts
         units: list[list[Fact]] = [[facts[0]]]
-        for left, right in zip(facts, facts[1:], strict=False):
+        for left, right in pairwise(facts):
             if self.link(left, right).kind in ("infer", "none"):
                 units.append([right])
             else:
@@ -243,7 +245,7 @@ def plan_content(character: Character, turn: Turn) -> tuple[ContentPlan, list[De
     planner.say_again(messages)
     links = [
         planner.link(left.fact, right.fact) if right.role == "assertion" else Link("restatement")
-        for left, right in zip(messages, messages[1:], strict=False)
+        for left, right in pairwise(messages)
     ]
     links = planner.stress(links, messages)
     new_topic = turn.state.topic != character.entity.id

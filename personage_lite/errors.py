@@ -6,9 +6,9 @@ from collections.abc import Iterable
 
 
 class PersonageError(Exception):
-    """A fault in what the user gave us; its message is one clear line with a remedy.
+    r"""A fault in what the user gave us; its message is one clear line with a remedy.
 
-    >>> str(PersonageError("no character 'al\\nice'; did you mean alice?"))
+    >>> str(PersonageError("no character 'al\nice'; did you mean alice?"))
     "no character 'al ice'; did you mean alice?"
     """
 

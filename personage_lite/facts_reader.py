@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -110,7 +111,7 @@ def read_character(path: Path, faults: list[DataError] | None = None) -> Charact
     """
     entities: dict[str, Entity] = {}
     shared = path.with_name(ENTITIES_FILE)
-    if shared.is_file():
+    if os.path.isfile(shared):  # False, too, in a folder that is locked.
         node = read_yaml(shared)
         _read_entities(node.need("entities"), entities)
         node.done()
@@ -259,7 +260,7 @@ class _FactReader:
             raise item.fault("'predicate' is missing", "add the verb, 'predicate: …'")
         adverbials = item.get("adverbials")
         clause = Clause(
-            verb="be" if predicate is None else predicate.text(),
+            verb=_words(item, "predicate") or "be",
             subject=self._subject(item),
             particle=_words(item, "particle"),
             indirect_object=self._optional_text(item, "indirect_object"),

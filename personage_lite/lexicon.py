@@ -25,7 +25,7 @@ class Marker(NamedTuple):
     `lean` in [-1, 1] says who uses them, introverts (-1) or extraverts (1). For cue words,
     `attach` is how they join, `role` which side they introduce, and `own_subject` keeps the
     subject of the joined clause from being left out. `verbs`, if any, are the only ones that the
-    marker goes with.
+    marker goes with; `first` is the degree of what a restatement says again.
     """
 
     text: str
@@ -37,6 +37,7 @@ class Marker(NamedTuple):
     role: str = ""
     own_subject: bool = False
     verbs: tuple[str, ...] = ()
+    first: str = ""
 
 
 class Template(NamedTuple):
@@ -54,6 +55,7 @@ class Template(NamedTuple):
     connotation: str
     inner_tag: bool
     emphatic: bool
+    hedging: bool
     marker: Marker
 
 
@@ -97,7 +99,7 @@ MARKER_PLACES: dict[str, tuple[str, ...]] = {
     "softener_hedges": ("degree", "pause", "quantity", "lead", "end"),
     "informal_softeners": ("degree", "pause", "quantity", "lead", "end"),
     "weakened_positive_content": ("degree",),
-    "emphasizer_hedges": ("degree", "middle", "opener"),
+    "emphasizer_hedges": ("degree", "middle", "opener", "news"),
     "acknowledgments": ("utterance", "sentence", "question", "answer"),
     "filled_pauses": ("pause", "opener"),
     "expletives": ("degree", "opener"),
@@ -165,6 +167,7 @@ def _marker(item: Node, kind: str, places: tuple[str, ...]) -> Marker:
         role=item.choice_of("role", ("nucleus", "satellite"), ""),
         own_subject=item.flag_of("own_subject"),
         verbs=item.texts_of("verbs"),
+        first=item.text_of("first"),
     )
     item.done()
     return marker
@@ -186,6 +189,7 @@ def _read_templates(node: Node) -> tuple[dict[str, tuple[Template, ...]], dict[s
             connotation=item.choice_of("connotation", POLARITIES, ""),
             inner_tag=item.choice_of("tag", ("inner",), "") == "inner",
             emphatic=item.flag_of("emphatic"),
+            hedging=item.flag_of("hedging"),
             marker=Marker(
                 name,
                 lean=item.number_of("lean", -1, 1, 0.0),

@@ -103,7 +103,8 @@ class SentenceRewrite(Protocol):
 
     def __call__(
         self, plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon
-    ) -> SentencePlan | None: ...
+    ) -> SentencePlan | None:
+        """Return the rewritten plan, or None."""
 
 
 class Operator(NamedTuple):

@@ -99,8 +99,8 @@ class SentencePlan(NamedTuple):
 
     A `fragment` has words instead of clauses ("you want to hear about Alice"). `first` is true
     for the first sentence that states a fact; `subject_before` is the entity that the sentence
-    before it was about. `answers` is true after an opening question. `words` collects the marker words used, for the
-    conversation's memory.
+    before it was about; `answers` is true after an opening question. `words` collects the marker
+    words used, for the conversation's memory.
     """
 
     clauses: tuple[ClausePlan, ...] = ()

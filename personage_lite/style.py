@@ -32,6 +32,14 @@ STAGES: tuple[str, ...] = (
     "lexical_choice",
     "referring_expressions",
 )
+# What generation cannot do without. An operator without a parameter is only never applied.
+NEEDED: tuple[str, ...] = (
+    *("verbosity", "content_polarity", "polarization", "concessions", "repetition_polarity"),
+    *("template_polarity", "period", "conjunction", "merge", "relative_clause", "with_cue_word"),
+    *("also_cue_word", "contrast_cue_word", "justify_cue_word", "concede_cue_word"),
+    *("sequence_cue_word", "merge_with_comma", "lexicon_frequency", "lexicon_word_length"),
+    *("verb_strength", "positive_emotion_words", "contractions", "pronominalization"),
+)
 LOWEST_X, HIGHEST_X = -2.0, 2.0
 _ANCHORS = 5
 
@@ -70,7 +78,8 @@ class Style(NamedTuple):
             anchors = parameter.anchors
             value = anchors[left] + (anchors[left + 1] - anchors[left]) * share
             if 0.0 < value < 1.0:
-                value += noise * deviation
+                # Near 0 and 1 there is less of it: what is rare must not become common by chance.
+                value += noise * deviation * min(1.0, 10 * value, 10 * (1 - value))
                 value = 0.0 if value < 0.0 else 1.0 if value > 1.0 else value
             found[parameter.name] = value
         if overrides:
@@ -108,7 +117,10 @@ def check_overrides(
 
 def read_style(node: Node) -> Style:
     """Read a style file; raises `DataError` for a value out of range or against its direction."""
-    parameters = {name: _parameter(name, item) for name, item in node.need("parameters").items()}
+    listed = node.need("parameters")
+    for name in NEEDED:
+        listed.need(name)
+    parameters = {name: _parameter(name, item) for name, item in listed.items()}
     style = Style(node.need("name").text(), node.need("noise").number(0, 1), parameters)
     node.done()
     return style
@@ -120,8 +132,8 @@ def _parameter(name: str, item: Node) -> Parameter:
     if len(anchors) != _ANCHORS:
         raise listed.fault(f"{len(anchors)} anchors", "give five, for X = -2, -1, 0, 1 and 2")
     direction = item.need("direction").choice(("rises", "falls", "steady", "split"))
-    steps = [high - low for low, high in zip(anchors, anchors[1:], strict=False)]
-    if direction == "rises" and min(steps) < 0 or direction == "falls" and max(steps) > 0:
+    steps = [anchors[place + 1] - anchors[place] for place in range(_ANCHORS - 1)]
+    if (direction == "rises" and min(steps) < 0) or (direction == "falls" and max(steps) > 0):
         raise listed.fault(f"the anchors do not go with '{direction}'", "mend one or the other")
     if direction == "steady" and any(steps):
         raise listed.fault("the anchors differ", "write 'rises', 'falls' or 'split' instead")

@@ -8,9 +8,8 @@ relation behind it.
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from personage_lite.facts import Character, Fact
 from personage_lite.lexicon import Lexicon

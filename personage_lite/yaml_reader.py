@@ -32,7 +32,7 @@ class Node:
     Each reader names the file, the line and the remedy when the value is not of its kind.
     """
 
-    __slots__ = ("_node", "_map", "_read", "file")
+    __slots__ = ("_map", "_node", "_read", "file")
 
     def __init__(self, node: yaml.Node, file: str) -> None:
         self._node = node
@@ -255,7 +255,8 @@ def _refuse_deep_nesting(content: str, name: str) -> None:
         if isinstance(event, yaml.CollectionStartEvent):
             depth += 1
             if depth > _DEEPEST:
-                line = event.start_mark.line + 1
+                mark = event.start_mark
+                line = mark.line + 1 if mark else 1
                 raise DataError(name, line, f"more than {_DEEPEST} levels deep", "nest less")
         elif isinstance(event, yaml.CollectionEndEvent):
             depth -= 1

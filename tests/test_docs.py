@@ -202,7 +202,9 @@ def test_a_right_page_has_no_faults(tmp_path: Path) -> None:
 def test_a_changed_output_is_a_fault_and_is_rewritten(tmp_path: Path) -> None:
     wrong = _page("$ personage-lite --version", "personage-lite 0", "more", "", "$ ls")
     updated, faults = run_page(wrong, tmp_path)
-    assert len(faults) == 1 and "line 4" in faults[0] and _VERSION in faults[0]
+    assert len(faults) == 1
+    assert "line 4" in faults[0]
+    assert _VERSION in faults[0]
     assert updated == _page("$ personage-lite --version", _VERSION, "", "$ ls")
     assert run_page(updated, tmp_path) == (updated, [])
 

@@ -35,6 +35,7 @@ LEXICON = GENERATOR.lexicon
 CHARACTERS = ("alice", "white_rabbit", "queen_of_hearts")
 SEEDS = 120
 
+_KINDS = (Sentence, Clause, Embedded, NounPhrase, AdjectivePhrase, Coordination, Text)
 Node: TypeAlias = "Sentence | Clause | Embedded | Phrase"
 # What one utterance shows, as numbers whose mean over all utterances is compared.
 Measure: TypeAlias = Callable[[Utterance], list[float]]
@@ -46,9 +47,7 @@ Measure: TypeAlias = Callable[[Utterance], list[float]]
 def parts(node: object) -> Iterator[Node]:
     """Yield every clause and phrase of a sentence, the outer before the inner."""
     if isinstance(node, tuple):
-        if isinstance(node, Sentence | Clause | Embedded | NounPhrase | AdjectivePhrase):
-            yield node
-        elif isinstance(node, Coordination | Text):
+        if isinstance(node, _KINDS):
             yield node
         for inner in node:
             yield from parts(inner)
@@ -418,6 +417,8 @@ INDIFFERENT = SOME | {
     "verb_strength": 0.5,
     "positive_emotion_words": 0.5,
 }
+# Of the joiners of facts on one subject, those that compete for the same facts are silent.
+ALONE = PLAIN | MANY | {"conjunction": 0.0, "merge": 0.0, "relative_clause": 0.0}
 AGAIN = PLAIN | {"verbosity": 0.3, "merge_with_comma": 1.0}
 
 PROBES: dict[str, Probe] = {
@@ -474,12 +475,12 @@ PROBES: dict[str, Probe] = {
     "relative_clause": Probe(relatives, 0.2, setting=SOME),
     "with_cue_word": Probe(
         lambda said: [float(sum(len(clause.asides) for clause in clauses(said)))],
-        0.02,
-        setting=MANY | PLAIN,
-        seeds=300,
+        0.004,
+        setting=ALONE,
+        seeds=600,
     ),
     "conjunction": Probe(count(cues, "conjunction"), 0.2, setting=SOME),
-    "merge": Probe(merged, 0.2, setting=PLAIN | MANY),
+    "merge": Probe(merged, 0.12, setting=PLAIN | MANY),
     "also_cue_word": Probe(also, 0.2, setting=SOME),
     "contrast_cue_word": Probe(
         count(cues, "contrast_cue_word"), 0.2, setting=MANY | {"concede_cue_word": 0.0}
@@ -488,7 +489,7 @@ PROBES: dict[str, Probe] = {
     "concede_cue_word": Probe(
         count(cues, "concede_cue_word"), 0.15, setting=MANY | {"contrast_cue_word": 0.0}
     ),
-    "sequence_cue_word": Probe(count(cues, "sequence_cue_word"), 0.1, setting=MANY),
+    "sequence_cue_word": Probe(count(cues, "sequence_cue_word"), 0.03, setting=ALONE, seeds=200),
     "merge_with_comma": Probe(
         lambda said: [len(said_again(said))], 0.3, setting=AGAIN | {"repetitions": 1.0}
     ),
@@ -537,9 +538,15 @@ PROBES: dict[str, Probe] = {
         False,
         INDIFFERENT,
     ),
-    "verb_strength": Probe(choice(lambda word: word.strength, "verbs"), 0.15, False, INDIFFERENT),
+    "verb_strength": Probe(
+        choice(lambda word: word.strength, "verbs"), 0.04, False, INDIFFERENT, seeds=300
+    ),
     "positive_emotion_words": Probe(
-        choice(lambda word: word.emotion, "adjectives", "verbs"), 0.15, False, INDIFFERENT
+        choice(lambda word: word.emotion, "adjectives", "verbs"),
+        0.06,
+        False,
+        INDIFFERENT,
+        seeds=200,
     ),
     "contractions": Probe(contractions, 0.4, never=False, setting=SOME),
 }

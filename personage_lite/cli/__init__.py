@@ -11,11 +11,14 @@ import gc
 import os
 import sys
 from collections.abc import Sequence
-from typing import NoReturn
+from typing import TYPE_CHECKING, NoReturn
 
 from personage_lite import __version__
 from personage_lite.cli import characters, check, generate
 from personage_lite.errors import PersonageError
+
+if TYPE_CHECKING:
+    from _typeshed import SupportsWrite
 
 # Loading makes many small objects and hardly any garbage: collecting as often as Python does by
 # default took a third of the time to the first utterance (benchmarks/run.py).
@@ -28,8 +31,15 @@ class _Parser(argparse.ArgumentParser):
     """A parser whose errors are one line, with the help a command away."""
 
     def error(self, message: str) -> NoReturn:
+        message = " ".join(message.splitlines())
+        if len(message) > 400:
+            message = f"{message[:200]}…{message[-200:]}"
         print(f"{self.prog}: {message}; see {self.prog} --help", file=sys.stderr)
         raise SystemExit(2)
+
+    def _print_message(self, message: str, file: SupportsWrite[str] | None = None) -> None:
+        # argparse's own says nothing if the help cannot be written.
+        (file or sys.stderr).write(message)
 
 
 def parser() -> argparse.ArgumentParser:
@@ -58,27 +68,28 @@ def main(argv: Sequence[str] | None = None) -> int:
     for stream in (sys.stdout, sys.stderr):
         # The text holds … and “ ”: say it in UTF-8 wherever the console allows any choice.
         if hasattr(stream, "reconfigure"):
-            stream.reconfigure(encoding="utf-8", errors="replace")
-    arguments = parser().parse_args(argv)
+            # A line at a time: what is printed of a long output is whole lines, and soon.
+            stream.reconfigure(encoding="utf-8", errors="replace", line_buffering=True)
+    if sys.stdout is None:
+        return _fault("there is no output to write to; do not close it")
     try:
+        arguments = parser().parse_args(argv)
         arguments.run(arguments)
         sys.stdout.flush()
     except PersonageError as error:
-        print(f"personage-lite: {error}", file=sys.stderr)
-        return 1
-    except BrokenPipeError:
-        # The reader has gone; nothing more can be said, nor need Python try at exit.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return 1
+        return _fault(str(error))
     except OSError as error:
-        where = f" ({error.filename})" if error.filename else ""
-        print(
-            f"personage-lite: cannot write the output{where}: {error.strerror}; "
-            "choose another place",
-            file=sys.stderr,
-        )
+        # Nothing more can be said, nor need Python try at exit.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return 1
+        if isinstance(error, BrokenPipeError):
+            return _fault("the reader of the output has gone; let it read on, or ask for less")
+        return _fault(f"cannot write the output: {error.strerror}; choose another place")
     except KeyboardInterrupt:
-        return 130
+        return _fault("interrupted; what is printed is whole, run it again for the rest", 130)
     return 0
+
+
+def _fault(message: str, code: int = 1) -> int:
+    """Print a fault's one line; returns the exit code."""
+    print(f"personage-lite: {message}", file=sys.stderr)
+    return code

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
+from typing import TextIO
 
 from personage_lite.errors import PersonageError, shown
 
@@ -56,17 +55,13 @@ def parse_overrides(settings: list[str]) -> dict[str, float]:
     """Return `--set` options as parameter values; raises `PersonageError` for what is none."""
     overrides: dict[str, float] = {}
     for setting in settings:
-        name, sign, value = setting.partition("=")
+        name, _, value = setting.partition("=")
         try:
-            number = float(value)
+            overrides[name.strip()] = float(value)
         except ValueError:
-            number = float("nan")
-        if not sign or isnan(number):
             raise PersonageError(
-                f"--set '{shown(setting)}' cannot be read; "
-                "write PARAMETER=VALUE, as verbosity=0.8"
-            )
-        overrides[name.strip()] = number
+                f"--set '{shown(setting)}' cannot be read; write PARAMETER=VALUE, as verbosity=0.8"
+            ) from None
     return overrides
 
 
@@ -78,11 +73,11 @@ def run(arguments: argparse.Namespace) -> None:
         import secrets
 
         seed = secrets.randbelow(1_000_000)
-        print(f"seed {seed}", file=sys.stderr)
     else:
         seed = whole_number(arguments.seed, "--seed", 0)
     count = whole_number(arguments.count, "--count", 1)
     overrides = parse_overrides(arguments.set)
+    say = _say if count == 1 else _say_whole
     generator = Generator(facts=arguments.facts, lexicons=arguments.lexicons)
     for utterance in generator.turns(
         arguments.character,
@@ -93,14 +88,34 @@ def run(arguments: argparse.Namespace) -> None:
         rating=arguments.rating,
         trace=arguments.trace,
     ):
+        if arguments.seed is None and not utterance.turn:  # Only now: a fault stands alone.
+            say(f"seed {seed}", sys.stderr)
         if arguments.format == "json":
             import json
 
-            print(json.dumps(utterance.record(), ensure_ascii=False))
+            say(json.dumps(utterance.record(), ensure_ascii=False), sys.stdout)
         else:
-            print(utterance.text)
+            say(utterance.text, sys.stdout)
         if arguments.trace:
             from personage_lite.trace import explain
 
             out = sys.stderr if arguments.format == "json" else sys.stdout
-            print(explain(utterance, generator.character(arguments.character)), file=out)
+            say(explain(utterance, generator.character(arguments.character)), out)
+
+
+def _say(text: str, out: TextIO) -> None:
+    print(text, file=out)
+
+
+def _say_whole(text: str, out: TextIO) -> None:
+    """Print with Ctrl-C held back: it must not leave half a line to a reader that is slow."""
+    import signal  # Here, because a single turn does without.
+
+    if sys.platform == "win32":
+        _say(text, out)
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, (signal.SIGINT,))
+    try:
+        _say(text, out)
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)

@@ -7,6 +7,12 @@ from typing import NamedTuple
 from personage_lite.yaml_reader import Node
 
 CASES = ("subjective", "objective", "possessive", "reflexive")
+PRONOUNS = (
+    *("first singular", "first plural", "second singular", "second plural"),
+    *("masculine", "feminine", "neuter", "third plural"),
+)
+RELATIVE_PRONOUNS = ("animate", "inanimate", "inanimate_restrictive")
+BE = ("present_first", "present_third", "present_other", "past_singular", "past_other")
 
 
 class Grammar(NamedTuple):
@@ -37,7 +43,9 @@ class Grammar(NamedTuple):
     numerals: frozenset[str]
 
 
-def _words(node: Node) -> dict[str, str]:
+def _words(node: Node, needed: tuple[str, ...] = ()) -> dict[str, str]:
+    for key in needed:
+        node.need(key)
     return {key: value.text() for key, value in node.items()}
 
 
@@ -47,15 +55,18 @@ def read_grammar(node: Node) -> Grammar:
     Raises `DataError` for a missing table, an unknown one or a word that is not text.
     """
     pronouns = {}
-    for name, row in node.need("pronouns").items():
+    rows = node.need("pronouns")
+    for name in PRONOUNS:
+        row = rows.need(name)
         pronouns[name] = {case: row.need(case).text() for case in CASES}
         row.done()
+    rows.done()
     verbs = {lemma: forms.texts() for lemma, forms in node.need("irregular_verbs").items()}
     grammar = Grammar(
         pronouns=pronouns,
-        relative_pronouns=_words(node.need("relative_pronouns")),
+        relative_pronouns=_words(node.need("relative_pronouns"), RELATIVE_PRONOUNS),
         degree_word=node.need("degree_word").text(),
-        be=_words(node.need("be")),
+        be=_words(node.need("be"), BE),
         modals=frozenset(node.need("modals").texts()),
         contractions=_words(node.need("contractions")),
         negative_contractions=_words(node.need("negative_contractions")),

@@ -6,9 +6,9 @@ into deep syntax. Source: Mairesse & Walker 2011, section 4; the paper, section 
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
+from typing import NamedTuple
 
 from personage_lite.facts import Character
 from personage_lite.operators import Operator, Turn, run_operators
@@ -103,6 +103,8 @@ def aggregate(
     for index, (clause, link) in enumerate(zip(clauses[1:], links, strict=True)):
         # Where clauses changed places, what the relation holds of is no longer the last one.
         if not set(clauses[index].facts) <= set(current.clauses[-1].facts):
+            if clause.role != "assertion":
+                continue  # it would say again, alone, what was said before
             link = Link("none")
         joint, made = _join(Pair(current, clause, link), index, turn)
         decisions += made
@@ -145,7 +147,7 @@ def with_openings(
 ) -> list[SentencePlan]:
     """Note what each sentence follows, and open with what the content plan asks for."""
     placed = [sentences[0]._replace(first=True)]
-    for earlier, sentence in zip(sentences, sentences[1:], strict=False):
+    for earlier, sentence in pairwise(sentences):
         subject = earlier.clauses[-1].clause.subject
         if subject is not None and subject.entity:
             sentence = sentence._replace(subject_before=subject.entity)
@@ -154,19 +156,16 @@ def with_openings(
         rng = turn.rng("competence_mitigation/place")
         opened = speech.competence_mitigation(placed[0], rng=rng, lexicon=turn.lexicon)
         placed[0] = opened or placed[0]
-    for kind, wanted in (
-        ("initial_rejection", plan.rejection),
-        ("request_confirmation", plan.confirmation),
-    ):
-        marker = turn.rng(kind).marker(turn.lexicon.markers[kind]) if wanted else None
-        if marker is None:
-            continue
-        if not marker.after or marker.after == ",":
-            placed[0] = hedges.with_opener(placed[0], marker)
-        else:
-            fragment = lead_text(marker.text, character.entity.phrase)
-            placed.insert(
-                0, SentencePlan(fragment=fragment, terminal=marker.after, words=(marker.text,))
-            )
-            placed[1] = placed[1]._replace(answers=marker.after == "?")
+    if plan.rejection:
+        marker = turn.rng("initial_rejection").marker(turn.lexicon.markers["initial_rejection"])
+        if marker is not None:
+            placed[0] = hedges.with_opener(hedges.hedged(placed[0]), marker)
+    if plan.confirmation:
+        rng = turn.rng("request_confirmation")
+        marker = rng.marker(turn.lexicon.markers["request_confirmation"])
+        if marker is not None:
+            words = lead_text(marker.text, character.entity.phrase)
+            placed[0] = placed[0]._replace(answers=marker.after == "?")
+            asked = SentencePlan(fragment=words, terminal=marker.after, words=(marker.text,))
+            placed.insert(0, asked)
     return placed

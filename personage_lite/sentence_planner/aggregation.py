@@ -16,10 +16,10 @@ from personage_lite.realizer.specification import (
     Cased,
     Clause,
     Coordination,
-    NounPhrase,
     Phrase,
     Text,
 )
+from personage_lite.sentence_planner.hedges import EMPHASIZED
 
 # The most clauses in a sentence, where a cue word binds them and where only "and" does.
 _MOST_CUED = 3
@@ -47,7 +47,8 @@ Joint: TypeAlias = tuple[SentencePlan, ...]
 class PairRewrite(Protocol):
     """The signature of an aggregation operator; None where its constraint does not hold."""
 
-    def __call__(self, pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | None: ...
+    def __call__(self, pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | None:
+        """Return the sentences that the pair becomes, or None."""
 
 
 def _same_subject(one: ClausePlan, other: ClausePlan) -> bool:
@@ -84,7 +85,7 @@ def _coordinate(pair: Pair, cue: Marker, rng: OperatorDraws, most: int) -> Joint
     left, right, last = pair.left, pair.right, pair.last
     if len(left.clauses) >= most or last.clause.quotation:
         return None
-    if right.frame is not None and any(clause.frame for clause in left.clauses):
+    if right.frame is not None and not _frame_fits(pair):
         return None
     shared = (
         _same_subject(last, right)
@@ -99,6 +100,21 @@ def _coordinate(pair: Pair, cue: Marker, rng: OperatorDraws, most: int) -> Joint
     )
     joined = right._replace(link="coordinate", cue=cue.text, shared_subject=shared)
     return _extend(left, joined, cue.text)
+
+
+def _frame_fits(pair: Pair) -> bool:
+    """Whether a framed clause can be joined: "…, but I love how …", not "…, so I love how …".
+
+    Nor after another frame, nor where the frame's lead needs a comma of its own.
+    """
+    frame = pair.right.frame
+    assert frame is not None
+    if any(clause.frame for clause in pair.left.clauses):
+        return False
+    if pair.link.kind in ("justification", "sequence"):
+        return False
+    last = frame.lead.parts[-1] if frame.lead is not None else ""
+    return not (isinstance(last, str) and last.endswith(","))
 
 
 def conjunction(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | None:
@@ -171,10 +187,13 @@ def relative_clause(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Join
         return _extend(left, right._replace(link="object_relative"))
     if not _same_subject(last, right) or pair.link.fixed_order or _opposed(last, right):
         return None
+    if last.topic != right.topic:
+        return None
     main, inner = last, right
     if _describes(last) and not _describes(right) and pair.link.kind != "elaboration":
         main, inner = right, last
-    if not _describes(inner):
+    # Two qualities are better merged: not "Alice, who is kind, is brave".
+    if not _describes(inner) or (main.clause.verb == inner.clause.verb == "be"):
         return None
     joined = (main._replace(link="main"), inner._replace(link="relative"))
     return (left._replace(clauses=joined),)
@@ -222,9 +241,9 @@ def _owned(last: ClausePlan, right: ClausePlan) -> tuple[str | Cased, ...] | Non
     part, quality = clause.subject, clause.complement
     if part is None or part.possessor is None or clause.verb != "be" or clause.tense != "present":
         return None
-    if part.possessor == last.clause.subject and isinstance(quality, AdjectivePhrase):
-        if part.number == "plural":
-            return (Cased(part._replace(possessor=None, adjectives=(quality,))),)
+    own = part.possessor == last.clause.subject and part.number == "plural"
+    if own and isinstance(quality, AdjectivePhrase):
+        return (Cased(part._replace(possessor=None, adjectives=(quality,))),)
     return None
 
 
@@ -232,6 +251,8 @@ def also_cue_word(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint 
     """Begin a new sentence with "also": "She also has a cat"."""
     right = pair.right
     if not _same_subject(pair.last, right) or not _plain(right) or right.clause.adverbs:
+        return None
+    if pair.last.topic != right.topic or _describes(pair.last) != _describes(right):
         return None
     if right.clause.negated or _opposed(pair.last, right):
         return None
@@ -343,11 +364,17 @@ def merge_with_comma(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joi
     cue = rng.marker(lexicon.markers["merge_with_comma"])
     if cue is None:
         return None
-    stressed = again._replace(adverbs=(cue.text,))
-    clause = last.clause._replace(complement=Coordination((said, stressed), ","))
+    first = said if said.adverbs or not cue.first else said._replace(adverbs=(cue.first,))
+    second = again._replace(adverbs=(cue.text,))
+    clause = last.clause._replace(complement=Coordination((first, second), ","))
     return _replace_last(
         pair.left,
-        last._replace(clause=clause, role=right.role, gradable=False),
+        last._replace(
+            clause=clause,
+            role=right.role,
+            gradable=False,
+            marks=(*last.marks, EMPHASIZED),
+        ),
         cue.text,
     )
 
@@ -382,14 +409,14 @@ COMPETING: dict[str, tuple[Joiner, ...]] = {
     ),
     "contrast": (
         Joiner("contrast_cue_word", contrast_cue_word),
-        Joiner("conjunction", conjunction, 0.1),
-        Joiner("period", period, 0.1),
+        Joiner("conjunction", conjunction, 0.05),
+        Joiner("period", period, 0.02),
     ),
     "justification": (
         Joiner("justify_cue_word", justify_cue_word),
         Joiner("period", period, 0.3),
     ),
-    "concession": (Joiner("concede_cue_word", concede_cue_word), Joiner("period", period, 0.1)),
+    "concession": (Joiner("concede_cue_word", concede_cue_word), Joiner("period", period, 0.02)),
     "sequence": (
         Joiner("sequence_cue_word", sequence_cue_word),
         Joiner("conjunction", conjunction, 0.6),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-
 from personage_lite.plan import ClausePlan, SentencePlan
 from personage_lite.realizer.specification import (
     Cased,

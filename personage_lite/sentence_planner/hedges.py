@@ -7,13 +7,14 @@ section 4.4; the paper, section IV-C ("weakens positive content").
 
 from __future__ import annotations
 
-
 from personage_lite.lexicon import Lexicon, Marker
 from personage_lite.operators import OperatorDraws
 from personage_lite.plan import ClausePlan, Frame, SentencePlan
 from personage_lite.realizer.specification import AdjectivePhrase, Opener, Phrase, Text
 
 SOFTENED, EMPHASIZED = "softened", "emphasized"
+# Said with a doubt around it: no second doubt there, and nothing loud.
+HEDGED = "hedged"
 # The adjective is a word already, not a concept.
 ANTONYM = "antonym"
 _MOST_OPENERS = 2
@@ -41,6 +42,11 @@ def with_opener(plan: SentencePlan, marker: Marker) -> SentencePlan:
 
 def _unhedged(clause: ClausePlan) -> bool:
     return SOFTENED not in clause.marks and EMPHASIZED not in clause.marks
+
+
+def doubtful(plan: SentencePlan) -> bool:
+    """Whether any clause of a sentence is weakened or hesitant."""
+    return any(SOFTENED in clause.marks or HEDGED in clause.marks for clause in plan.clauses)
 
 
 def _degree_fits(clause: ClausePlan) -> bool:
@@ -77,6 +83,12 @@ def _starts_with_number(clause: ClausePlan, lexicon: Lexicon) -> bool:
     return word.isdigit() or word in lexicon.grammar.numerals
 
 
+def hedged(plan: SentencePlan) -> SentencePlan:
+    """Return a sentence whose clauses are marked as said with a doubt."""
+    clauses = tuple(clause._replace(marks=(*clause.marks, HEDGED)) for clause in plan.clauses)
+    return plan._replace(clauses=clauses)
+
+
 def softened(
     plan: SentencePlan, markers: tuple[Marker, ...], rng: OperatorDraws, lexicon: Lexicon
 ) -> SentencePlan | None:
@@ -84,9 +96,15 @@ def softened(
     for index, clause in enumerate(plan.clauses):
         if clause.link not in _SAID or not _unhedged(clause):
             continue
-        places = _soft_places(plan, index, lexicon)
+        places, verb = _soft_places(plan, index, lexicon), clause.clause.verb
         marker = rng.marker(
-            [m for m in markers if m.place in places and not _echoes(clause, m.text)]
+            [
+                m
+                for m in markers
+                if m.place in places
+                and (not m.verbs or verb in m.verbs)
+                and not _echoes(clause, m.text)
+            ]
         )
         if marker is None:
             continue
@@ -111,13 +129,14 @@ def _soft_places(plan: SentencePlan, index: int, lexicon: Lexicon) -> set[str]:
     """Return where in a clause a softener can stand."""
     clause = plan.clauses[index]
     places = set()
-    if _degree_fits(clause):
+    if _degree_fits(clause) and not _someone(clause):
         places.add("degree")
     if pause_fits(clause):
         places.add("pause")
     if _starts_with_number(clause, lexicon):
         places.add("quantity")
-    if clause.frame is None and not clause.clause.quotation and not plan.afterthought:
+    free = clause.frame is None and HEDGED not in clause.marks
+    if free and not clause.clause.quotation and not plan.afterthought:
         fronted = any(other.link in ("fronted", "relative") for other in plan.clauses)
         if clause.link == "main" and not fronted and not plan.connective:
             places.add("lead")
@@ -126,9 +145,15 @@ def _soft_places(plan: SentencePlan, index: int, lexicon: Lexicon) -> set[str]:
     return places
 
 
+def _someone(clause: ClausePlan) -> bool:
+    return clause.frame is not None and clause.frame.form == "someone_who"
+
+
 def pause_fits(clause: ClausePlan) -> bool:
     """Whether a hesitation can stand in the middle of a clause."""
     spec = clause.clause
+    if clause.frame is not None and clause.frame.complementizer:
+        return False
     bare = not (spec.interruption or spec.adverbs or spec.emphasizers or spec.degree)
     return bare and not spec.negated and not spec.passive and not clause.shared_subject
 
@@ -176,6 +201,8 @@ def emphasizer_hedges(
     for index, clause in enumerate(plan.clauses):
         if clause.link not in _SAID or not _unhedged(clause) or clause.strength == "somewhat":
             continue
+        if HEDGED in clause.marks:
+            continue
         places, verb = _stress_places(plan, index), clause.clause.verb
         marker = rng.marker(
             [
@@ -189,7 +216,7 @@ def emphasizer_hedges(
         if marker.place == "degree":
             return replaced(plan, index, with_degree(clause, marker.text, EMPHASIZED), marker.text)
         changed = clause._replace(marks=(*clause.marks, EMPHASIZED))
-        if marker.place == "opener":
+        if marker.place in ("opener", "news"):
             return with_opener(replaced(plan, index, changed, marker.text), marker)
         stressed = clause.clause._replace(emphasizers=(marker.text,))
         return replaced(plan, index, changed._replace(clause=stressed), marker.text)
@@ -204,7 +231,10 @@ def _stress_places(plan: SentencePlan, index: int) -> set[str]:
     if _degree_fits(clause):
         places.add("degree")
     if index == 0 and not plan.first and opener_fits(plan):
-        places.add("opener")
+        if isinstance(spec.complement, AdjectivePhrase):
+            places.add("opener")
+        if clause.polarity != "neutral":
+            places.add("news")
     weak = spec.verb in ("be", "have") or spec.quotation
     if not weak and pause_fits(clause) and not any(map(_is_adverb, spec.adverbials)):
         places.add("middle")
@@ -226,6 +256,8 @@ def negation(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> Sen
         if clause.clause.negated or clause.clause.degree or clause.role != "assertion":
             continue
         if not isinstance(said, AdjectivePhrase) or said.adverbs or clause.marks:
+            continue
+        if _someone(clause):
             continue
         concept = lexicon.adjectives.get(said.adjective)
         if concept is None or not concept.antonyms:

@@ -25,7 +25,7 @@ from personage_lite.state import ConversationState
 
 STAGE = "lexical_choice"
 # How strongly each property of a word counts, per unit that its parameter is off the middle.
-_FREQUENCY, _LENGTH, _STRENGTH, _EMOTION = 6.0, 0.4, 4.0, 3.0
+_FREQUENCY, _LENGTH, _STRENGTH, _EMOTION = 8.0, 0.4, 4.0, 3.0
 _WORN = 0.4
 
 
@@ -98,7 +98,11 @@ class LexicalChoice:
         concept = self._lexicon.adjectives.get(phrase.adjective)
         if concept is None:
             return phrase
-        return phrase._replace(adjective=self.word(concept).text)
+        word = self.word(concept).text
+        if any(word in adverb.split(" ") for adverb in phrase.adverbs):
+            # "A little little", "kind of kind": another word, if there is one.
+            word = self._choose(concept, False, word).text
+        return phrase._replace(adjective=word)
 
     def phrase(self, phrase: Phrase, restated: bool) -> Phrase:
         """Return a phrase with words for its concepts; a restatement gets another word."""

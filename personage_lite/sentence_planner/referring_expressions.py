@@ -7,7 +7,6 @@ Joshi & Weinstein 1995; Reiter & Dale 2000, section 5.4).
 
 from __future__ import annotations
 
-
 from personage_lite.facts import Character, Entity
 from personage_lite.plan import ClausePlan, Decision, SentencePlan
 from personage_lite.randomness import Draws
@@ -39,6 +38,7 @@ class ReferringExpressions:
         self._before: frozenset[str] = state.focus
         self._here: list[str] = []
         self._said: set[str] = set()
+        self._pronouns: set[str] = set()
         self._subject = state.focus_subject
         self._clause_subject = ""
         self._turn_before = True
@@ -67,9 +67,9 @@ class ReferringExpressions:
         own = entity.phrase
         for key in (*self._here, *self._before):
             other = self._entities[key].phrase
-            if other.number == own.number and key != entity.id:
-                if own.number == "plural" or other.gender == own.gender:
-                    return True
+            alike = own.number == "plural" or other.gender == own.gender
+            if alike and other.number == own.number and key != entity.id:
+                return True
         return False
 
     def _may_be_pronoun(self, entity: Entity, subjective: bool) -> bool:
@@ -99,7 +99,8 @@ class ReferringExpressions:
         self._count += 1
         if not named and self._may_be_pronoun(entity, subjective):
             probability = self._pronominalization
-            if entity.id in self._here:
+            if entity.id in self._here or entity.id in self._pronouns:
+                # Within a sentence, and where it was a pronoun before: no way back to the name.
                 probability = 1.0
             elif self._turn_before:
                 probability *= _ACROSS_TURNS
@@ -120,16 +121,17 @@ class ReferringExpressions:
                 )
             )
             if applied:
+                self._pronouns.add(entity.id)
                 return entity.pronoun
-        return self._name(entity, named)
+        return self._name(entity, named, subjective)
 
-    def _name(self, entity: Entity, named: bool) -> NounPhrase:
+    def _name(self, entity: Entity, named: bool, subjective: bool = True) -> NounPhrase:
         """Return the full name at the first mention, then a shorter one or a description."""
         if entity.id not in self._said and entity.id not in self._known:
             return entity.phrase
         draw = self._draws.uniform(f"name/{self._count}")
         if entity.id in self._said:
-            able = [] if named else self._descriptions(entity)
+            able = [] if named or not subjective else self._descriptions(entity)
             if able and draw < _DESCRIPTION:
                 return able[int(draw / _DESCRIPTION * len(able))]
             return entity.short_phrase

@@ -5,14 +5,16 @@ Source: Mairesse & Walker 2011, section 4.4; the paper, section IV-C and figure 
 
 from __future__ import annotations
 
-
-from personage_lite.lexicon import Lexicon, Marker
+from personage_lite.lexicon import Lexicon
 from personage_lite.operators import OperatorDraws
 from personage_lite.plan import Frame, SentencePlan
 from personage_lite.realizer.specification import Text
 from personage_lite.sentence_planner.hedges import (
     EMPHASIZED,
+    HEDGED,
     SOFTENED,
+    doubtful,
+    hedged,
     opener_fits,
     pause_fits,
     replaced,
@@ -21,6 +23,7 @@ from personage_lite.sentence_planner.hedges import (
 )
 
 _TWICE = 0.4
+STUTTER = "stutter"
 
 
 def _opener(
@@ -44,6 +47,8 @@ def acknowledgments(
 ) -> SentencePlan | None:
     """Answer the listener: "Yeah, …", "I see! You want …"."""
     if plan.fragment is not None:
+        if plan.terminal != "?":
+            return None
         return _opener(plan, "acknowledgments", ("question",), rng, lexicon)
     places: tuple[str, ...] = ("sentence", "utterance") if plan.first else ("sentence",)
     if plan.answers:
@@ -70,7 +75,8 @@ def filled_pauses(
         if marker.place == "opener":
             return with_opener(plan, marker)
         paused = clause.clause._replace(interruption=marker.text)
-        return replaced(plan, index, clause._replace(clause=paused), marker.text)
+        marks = (*clause.marks, HEDGED) if marker.lean < 0 else clause.marks
+        return replaced(plan, index, clause._replace(clause=paused, marks=marks), marker.text)
     return None
 
 
@@ -90,7 +96,7 @@ def _oath(
     plan: SentencePlan, kind: str, rng: OperatorDraws, lexicon: Lexicon
 ) -> SentencePlan | None:
     """Put an oath before an adjective that has no degree yet, or before the sentence."""
-    if plan.fragment is not None:
+    if plan.fragment is not None or doubtful(plan):
         return None
     for index, clause in enumerate(plan.clauses):
         bare = SOFTENED not in clause.marks and EMPHASIZED not in clause.marks
@@ -102,6 +108,9 @@ def _oath(
         marker = rng.marker([m for m in lexicon.markers[kind] if m.place == "degree"])
         if marker is not None and rng.uniform("degree") < 0.5:
             return replaced(plan, index, with_degree(clause, marker.text, EMPHASIZED), marker.text)
+    # Nobody gasps at what is neither good nor bad.
+    if plan.clauses[0].polarity == "neutral" or plan.clauses[0].strength == "somewhat":
+        return None
     return _opener(plan, kind, ("opener",), rng, lexicon)
 
 
@@ -122,7 +131,7 @@ def competence_mitigation(
     if marker is None:
         return None
     if marker.place == "opener":
-        return with_opener(plan, marker)
+        return with_opener(hedged(plan), marker)
     frame = Frame(marker.text, "clause", Text((marker.text,)), "", inner_tag=True)
     return replaced(plan, 0, first._replace(frame=frame), marker.text)
 
@@ -131,7 +140,10 @@ def tag_question(
     plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon
 ) -> SentencePlan | None:
     """Ask back: "…, isn't she?", "…, right?"."""
-    if not plan.clauses or plan.afterthought or plan.tag or plan.false_start:
+    if not plan.clauses or plan.afterthought or plan.tag or plan.false_start or plan.answers:
+        return None
+    # What is announced as news, or sworn to, is not asked back.
+    if any(opener.mark == "?" for opener in plan.openers):
         return None
     last = plan.clauses[-1]
     if last.link == "object_relative" or last.clause.quotation:
@@ -139,7 +151,7 @@ def tag_question(
     host = [c for c in plan.clauses if c.link in ("main", "coordinate")][-1]
     if host.frame is not None and not host.frame.inner_tag:
         return None
-    if any(SOFTENED in clause.marks for clause in plan.clauses):
+    if doubtful(plan):
         return None
     agreeing = host.frame is None or host.frame.form == "clause"
     able = [m for m in lexicon.markers["tag_question"] if m.text != "auto" or agreeing]
@@ -153,7 +165,9 @@ def exclamation(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> 
     """End with an exclamation mark; not what is asked or hedged."""
     if plan.fragment is not None or plan.tag or plan.afterthought or plan.terminal != ".":
         return None
-    if any(SOFTENED in clause.marks for clause in plan.clauses):
+    if plan.false_start or STUTTER in plan.words:
+        return None
+    if doubtful(plan):
         return None
     return plan._replace(terminal="!")
 
@@ -186,16 +200,18 @@ def stuttering(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> S
     else:
         stuttered = subject._replace(stutter=times)
     clause = first._replace(clause=first.clause._replace(subject=stuttered))
-    return replaced(plan, 0, clause, "stutter")
+    return replaced(plan, 0, clause, STUTTER)
 
 
 def object_ellipsis(
     plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon
 ) -> SentencePlan | None:
     """Break off after the verb and start again: "Alice is … Alice is curious"."""
-    if not plan.clauses or plan.openers or plan.connective:
+    if not plan.clauses or plan.openers or plan.connective or STUTTER in plan.words:
         return None
     first = plan.clauses[0]
+    if first.marks:
+        return None
     if first.link != "main" or first.frame is not None or first.clause.interruption:
         return None
     if first.clause.verb not in ("be", "have") or any(

@@ -6,7 +6,6 @@ polarity).
 
 from __future__ import annotations
 
-
 from collections.abc import Mapping
 
 from personage_lite.facts import Character, Fact
@@ -14,7 +13,7 @@ from personage_lite.lexicon import TOPIC, Lexicon, Template
 from personage_lite.operators import OperatorDraws, Turn
 from personage_lite.plan import ClausePlan, ContentPlan, Decision, Frame, Status
 from personage_lite.realizer.specification import AdjectivePhrase, Cased, NounPhrase, Text
-from personage_lite.sentence_planner.hedges import EMPHASIZED
+from personage_lite.sentence_planner.hedges import EMPHASIZED, HEDGED
 
 STAGE = "syntactic_template_selection"
 # In this order a message is offered a template; the first that is drawn and fits is taken.
@@ -65,11 +64,18 @@ def fits(template: Template, plan: ClausePlan) -> bool:
     clause = plan.clause
     if plan.role != "assertion" or template.polarity not in ("", plan.polarity):
         return False
+    if template.emphatic and plan.polarity == "neutral":
+        return False
     if template.form == "degree":
         return plan.gradable and not clause.negated and plan.strength != "somewhat"
     if template.form == "someone_who":
+        # Someone who is kind, who has a cat; not "someone who is a little girl".
         subject = clause.subject
-        return subject is not None and bool(subject.entity) and not clause.quotation
+        named = clause.verb == "be" and isinstance(clause.complement, Text)
+        return subject is not None and bool(subject.entity) and not (clause.quotation or named)
+    # "I love that she loves …" says the same word twice.
+    if clause.verb in template.lead.split(" "):
+        return False
     return not (clause.quotation and template.complementizer)
 
 
@@ -85,7 +91,11 @@ def framed(plan: ClausePlan, template: Template, lexicon: Lexicon, topic: NounPh
     frame = Frame(template.name, template.form, lead, template.complementizer, template.inner_tag)
     clause = plan.clause._replace(degree=True) if template.form == "degree" else plan.clause
     # What is sworn to is not hedged, nor stressed a second time.
-    marks = (*plan.marks, EMPHASIZED) if template.emphatic else plan.marks
+    marks = plan.marks
+    if template.emphatic:
+        marks = (*marks, EMPHASIZED)
+    if template.hedging:
+        marks = (*marks, HEDGED)
     return plan._replace(clause=clause, frame=frame, marks=marks)
 
 
@@ -100,7 +110,8 @@ def select_templates(
     clauses: list[ClausePlan] = []
     decisions: list[Decision] = []
     used: list[str] = []
-    framed_before = False
+    # What the utterance opens with is frame enough for the first message.
+    framed_before = plan.rejection or plan.mitigation
     offers = []
     for name in _PARAMETERS:
         probability = turn.probability(name)
