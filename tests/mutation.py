@@ -40,3 +40,10 @@ def spoilt(draw: st.DrawFn, content: str) -> bytes:
             at = draw(st.integers(0, len(raw)))
             return raw[:at] + draw(st.binary(min_size=1, max_size=4)) + raw[at + 1 :]
     return content.encode()
+
+
+def check_message(error: Exception) -> None:
+    """Require that an error's message is one line with a remedy."""
+    message = str(error)
+    assert len(message.splitlines()) == 1, message
+    assert "; " in message, message

@@ -13,7 +13,7 @@ from personage_lite.checks import check_path
 from personage_lite.data import data_folder
 from personage_lite.errors import DataError, PersonageError
 from personage_lite.facts_reader import character_files, find_character, identifier, read_character
-from tests.mutation import spoilt
+from tests.mutation import check_message, spoilt
 
 SHIPPED = data_folder("facts") / "wonderland"
 ALICE = (SHIPPED / "alice.yaml").read_text("utf-8")
@@ -234,6 +234,6 @@ def _read(path: Path) -> bool:
     try:
         read_character(path)
     except PersonageError as error:
-        assert len(str(error).splitlines()) == 1
+        check_message(error)
         return False
     return True

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from itertools import pairwise
 from statistics import fmean
 from typing import TypeAlias
 
@@ -310,7 +311,7 @@ def test_falls_with_x(sample: Sample, measure: Measure, least: float) -> None:
 def test_rises_at_every_step(sample: Sample, measure: Measure) -> None:
     """How much is said, and how gladly, rises strictly."""
     found = means(sample, measure)
-    assert all(one < other for one, other in zip(found, found[1:], strict=False)), found
+    assert all(one < other for one, other in pairwise(found)), found
 
 
 @pytest.mark.parametrize("measure", MARKERS)

@@ -16,8 +16,9 @@ from personage_lite.plan import ClausePlan, ContentPlan, Decision, Link, Sentenc
 from personage_lite.randomness import pick
 from personage_lite.realizer.specification import Sentence
 from personage_lite.sentence_planner import hedges, speech
-from personage_lite.sentence_planner.aggregation import COMPETING, Joint, Pair
+from personage_lite.sentence_planner.aggregation import COMPETING
 from personage_lite.sentence_planner.assembly import assemble
+from personage_lite.sentence_planner.joining import Joint, Pair
 from personage_lite.sentence_planner.lexical_choice import LexicalChoice
 from personage_lite.sentence_planner.referring_expressions import ReferringExpressions
 from personage_lite.sentence_planner.templates import lead_text, select_templates

@@ -1,0 +1,108 @@
+"""What the aggregation operators share: the pair they join, and the ways of joining.
+
+Source: Mairesse & Walker 2011, section 4.3; Reiter & Dale 2000, chapter 5.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple, Protocol, TypeAlias
+
+from personage_lite.lexicon import Lexicon, Marker
+from personage_lite.operators import OperatorDraws
+from personage_lite.plan import ClausePlan, Link, SentencePlan
+
+# The most clauses in a sentence, where a cue word binds them and where only "and" does.
+MOST_CUED = 3
+MOST_UNCUED = 2
+_SHARED_SUBJECT = 0.5
+
+
+class Pair(NamedTuple):
+    """The sentence so far, the clause that comes next, and what holds between them."""
+
+    left: SentencePlan
+    right: ClausePlan
+    link: Link
+
+    @property
+    def last(self) -> ClausePlan:
+        """The clause that the right one follows."""
+        return self.left.clauses[-1]
+
+
+Joint: TypeAlias = tuple[SentencePlan, ...]
+
+
+class PairRewrite(Protocol):
+    """The signature of an aggregation operator; None where its constraint does not hold."""
+
+    def __call__(self, pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | None:
+        """Return the sentences that the pair becomes, or None."""
+
+
+def same_subject(one: ClausePlan, other: ClausePlan) -> bool:
+    """Whether two clauses have the same subject."""
+    return one.clause.subject == other.clause.subject
+
+
+def opposed(one: ClausePlan, other: ClausePlan) -> bool:
+    """Whether one clause is good news and the other bad."""
+    return {one.polarity, other.polarity} == {"good", "bad"}
+
+
+def plain(plan: ClausePlan) -> bool:
+    """Whether a clause can be moved or embedded: no frame around it, no speech in it."""
+    return plan.frame is None and not plan.clause.quotation and plan.role == "assertion"
+
+
+def extend(sentence: SentencePlan, clause: ClausePlan, word: str = "") -> Joint:
+    """Return a sentence with one more clause, and the cue word that joined it."""
+    words = (*sentence.words, word) if word else sentence.words
+    return (sentence._replace(clauses=(*sentence.clauses, clause), words=words),)
+
+
+def replace_last(sentence: SentencePlan, clause: ClausePlan, word: str = "") -> Joint:
+    """Return a sentence with another last clause."""
+    return extend(sentence._replace(clauses=sentence.clauses[:-1]), clause, word)
+
+
+def coordinate(pair: Pair, cue: Marker, rng: OperatorDraws, most: int) -> Joint | None:
+    """Join with a coordinating cue, up to `most` clauses; an equal subject is at times left unsaid."""
+    left, right, last = pair.left, pair.right, pair.last
+    if len(left.clauses) >= most or last.clause.quotation:
+        return None
+    if right.frame is not None and not _frame_fits(pair):
+        return None
+    shared = (
+        same_subject(last, right)
+        and len(left.clauses) == 1
+        and last.frame is None
+        and right.frame is None
+        and not cue.own_subject
+        and last.role == "assertion"
+        and last.clause.verb != right.clause.verb
+        and last.clause.tense == right.clause.tense
+        and rng.uniform("shared_subject") < _SHARED_SUBJECT
+    )
+    joined = right._replace(link="coordinate", cue=cue.text, shared_subject=shared)
+    return extend(left, joined, cue.text)
+
+
+def _frame_fits(pair: Pair) -> bool:
+    """Whether a framed clause can be joined: "…, but I love how …", not "…, so I love how …".
+
+    Nor after another frame, nor where the frame's lead needs a comma of its own.
+    """
+    frame = pair.right.frame
+    assert frame is not None
+    if any(clause.frame for clause in pair.left.clauses):
+        return False
+    if pair.link.kind in ("justification", "sequence"):
+        return False
+    last = frame.lead.parts[-1] if frame.lead is not None else ""
+    return not (isinstance(last, str) and last.endswith(","))
+
+
+def describes(plan: ClausePlan) -> bool:
+    """Whether a clause says how somebody is or what they have, not what they do."""
+    return plan.clause.verb in ("be", "have") and not plan.clause.perfect
