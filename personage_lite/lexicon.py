@@ -25,7 +25,8 @@ class Marker(NamedTuple):
     `lean` in [-1, 1] says who uses them, introverts (-1) or extraverts (1). For cue words,
     `attach` is how they join, `role` which side they introduce, and `own_subject` keeps the
     subject of the joined clause from being left out. `verbs`, if any, are the only ones that the
-    marker goes with; `first` is the degree of what a restatement says again.
+    marker goes with; `first` is the degree of what a restatement says again; `polarity`,
+    if any, is the only news that it goes with.
     """
 
     text: str
@@ -38,6 +39,7 @@ class Marker(NamedTuple):
     own_subject: bool = False
     verbs: tuple[str, ...] = ()
     first: str = ""
+    polarity: str = ""
 
 
 class Template(NamedTuple):
@@ -99,7 +101,7 @@ MARKER_PLACES: dict[str, tuple[str, ...]] = {
     "softener_hedges": ("degree", "pause", "quantity", "lead", "end"),
     "informal_softeners": ("degree", "pause", "quantity", "lead", "end"),
     "weakened_positive_content": ("degree",),
-    "emphasizer_hedges": ("degree", "middle", "opener", "news"),
+    "emphasizer_hedges": ("degree", "middle", "alone", "opener", "news"),
     "acknowledgments": ("utterance", "sentence", "question", "answer"),
     "filled_pauses": ("pause", "opener"),
     "expletives": ("degree", "opener"),
@@ -168,6 +170,7 @@ def _marker(item: Node, kind: str, places: tuple[str, ...]) -> Marker:
         own_subject=item.flag_of("own_subject"),
         verbs=item.texts_of("verbs"),
         first=item.text_of("first"),
+        polarity=item.choice_of("polarity", POLARITIES, ""),
     )
     item.done()
     return marker

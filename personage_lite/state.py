@@ -59,9 +59,9 @@ class ConversationState(NamedTuple):
                 worn[marker] = worn.get(marker, 0) + 1
         return ConversationState(
             turn=self.turn + 1,
-            told={**self.told, character: counts},
+            told=MappingProxyType({**self.told, character: MappingProxyType(counts)}),
             recent=recent,
-            worn=worn,
+            worn=MappingProxyType(worn),
             topic=character,
             last_fact=facts[-1] if facts else "",
             introduced=self.introduced | introduced,

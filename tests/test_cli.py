@@ -490,16 +490,17 @@ def _until(
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         encoding="utf-8",
-        preexec_fn=None if sys.platform == "win32" else _listen_to_signals,
+        # A shell may have started us in the background, deaf to Ctrl-C.
+        preexec_fn=None if sys.platform == "win32" else _listen_to_signals,  # noqa: PLW1509
     ) as process:
         assert process.stdout is not None
+        assert process.stderr is not None
         first = process.stdout.readline()
         stop(process)
         start = time.monotonic()
-        if process.stdout.closed:
-            process.stdout = None
-        out, err = process.communicate(timeout=60)
-        return process.returncode, first + (out or ""), err, time.monotonic() - start
+        rest = "" if process.stdout.closed else process.stdout.read()
+        err = process.stderr.read()
+        return process.wait(60), first + rest, err, time.monotonic() - start
 
 
 @pytest.mark.parametrize("form", ["text", "json"])

@@ -162,7 +162,7 @@ def test_damping_wears_off() -> None:
     overrides = {"in_group_marker": 0.5, "verbosity": 0.0}
     once: list[bool] = []
     fresh: list[bool] = []
-    for seed in range(900):
+    for seed in range(500):
         turns = list(GENERATOR.turns("alice", 0, seed, count=5, overrides=overrides))
         marks = [marked(said, "in_group_marker") for said in turns]
         fresh.append(marks[0])
@@ -391,7 +391,7 @@ def test_the_listener_notices() -> None:
 def test_a_changed_topic_is_introduced_by_name(x: int) -> None:
     """Whoever was talked about before, a new character's first mention is no pronoun."""
     found = []
-    for seed in range(400):
+    for seed in range(250):
         before = ""
         for said in conversation(seed, x, changing=True):
             if said.character != before:

@@ -191,7 +191,7 @@ def test_unknown_characters(name: str, message: str) -> None:
     assert str(caught.value).startswith(message)
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=80, deadline=None)
 @given(content=spoilt(ALICE))
 def test_spoilt_facts_are_read_or_refused(content: bytes, wonderland: Path) -> None:
     path = wonderland / "alice.yaml"
@@ -199,7 +199,7 @@ def test_spoilt_facts_are_read_or_refused(content: bytes, wonderland: Path) -> N
     _read(path)
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=30, deadline=None)
 @given(content=spoilt(ENTITIES))
 def test_spoilt_entities_are_read_or_refused(content: bytes, wonderland: Path) -> None:
     path = wonderland / "alice.yaml"
@@ -211,7 +211,7 @@ def test_spoilt_entities_are_read_or_refused(content: bytes, wonderland: Path) -
         path.with_name("entities.yaml").write_text(ENTITIES, "utf-8")
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=60, deadline=None)
 @given(content=st.binary(max_size=200))
 def test_random_bytes_are_refused(content: bytes, wonderland: Path) -> None:
     path = wonderland / "alice.yaml"

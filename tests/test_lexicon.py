@@ -128,7 +128,7 @@ def test_an_empty_word_list_is_refused(copy: Path) -> None:
 
 
 @pytest.mark.parametrize("file", FILES)
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=25, deadline=None)
 @given(data=st.data())
 def test_spoilt_lexicons_are_read_or_refused(file: str, copy: Path, data: st.DataObject) -> None:
     """What loads in spite of a mistake never fails later, when it is spoken with."""
@@ -144,7 +144,7 @@ def test_spoilt_lexicons_are_read_or_refused(file: str, copy: Path, data: st.Dat
         _spoil(copy, file, FILES[file].encode())
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=30, deadline=None)
 @given(content=st.binary(max_size=200))
 def test_random_bytes_are_refused(content: bytes, copy: Path) -> None:
     for file, load in (

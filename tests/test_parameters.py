@@ -33,7 +33,7 @@ from personage_lite.realizer.specification import (
 GENERATOR = Generator()
 LEXICON = GENERATOR.lexicon
 CHARACTERS = ("alice", "white_rabbit", "queen_of_hearts")
-SEEDS = 120
+SEEDS = 100
 
 _KINDS = (Sentence, Clause, Embedded, NounPhrase, AdjectivePhrase, Coordination, Text)
 Node: TypeAlias = "Sentence | Clause | Embedded | Phrase"
@@ -441,15 +441,15 @@ PROBES: dict[str, Probe] = {
         said_again_good, 0.3, never=False, setting=AGAIN | {"repetitions": 1.0, "verbosity": 0.7}
     ),
     "concessions": Probe(
-        count(cues, "concede_cue_word", "contrast_cue_word"), 0.3, never=False, setting=SOME
+        count(cues, "concede_cue_word", "contrast_cue_word"), 0.15, never=False, setting=SOME
     ),
     "concession_polarity": Probe(
         good_nucleus,
-        0.25,
+        0.06,
         never=False,
         setting=PLAIN
         | {"verbosity": PAIR, "concessions": 1.0, "concede_cue_word": 1.0, "period": 0.0},
-        seeds=1500,
+        seeds=1200,
     ),
     "polarization": Probe(extremes, 0.4, never=False, setting=SOME),
     "positive_content_first": Probe(good_first, 0.3, never=False, setting=SOME),
@@ -461,7 +461,7 @@ PROBES: dict[str, Probe] = {
     # Syntactic template selection
     "self_references": Probe(
         lambda said: [len(of_parameter("self_references")(said))],
-        0.9,
+        0.7,
         setting={"softener_hedges": 0.0, "verbosity": PAIR},
     ),
     "syntactic_complexity": Probe(nested, 0.7, setting={"self_references": 0.0}),
@@ -470,35 +470,35 @@ PROBES: dict[str, Probe] = {
     ),
     # Aggregation
     "period": Probe(
-        lambda said: [len(said.sentences) / len(said.facts)], 0.05, never=False, setting=SOME
+        lambda said: [len(said.sentences) / len(said.facts)], 0.03, never=False, setting=SOME
     ),
-    "relative_clause": Probe(relatives, 0.2, setting=SOME),
+    "relative_clause": Probe(relatives, 0.03, setting=SOME),
     "with_cue_word": Probe(
         lambda said: [float(sum(len(clause.asides) for clause in clauses(said)))],
-        0.004,
+        0.001,
         setting=ALONE,
         seeds=600,
     ),
-    "conjunction": Probe(count(cues, "conjunction"), 0.2, setting=SOME),
-    "merge": Probe(merged, 0.12, setting=PLAIN | MANY),
-    "also_cue_word": Probe(also, 0.2, setting=SOME),
+    "conjunction": Probe(count(cues, "conjunction"), 0.1, setting=SOME),
+    "merge": Probe(merged, 0.06, setting=PLAIN | MANY),
+    "also_cue_word": Probe(also, 0.08, setting=SOME),
     "contrast_cue_word": Probe(
-        count(cues, "contrast_cue_word"), 0.2, setting=MANY | {"concede_cue_word": 0.0}
+        count(cues, "contrast_cue_word"), 0.1, setting=MANY | {"concede_cue_word": 0.0}
     ),
-    "justify_cue_word": Probe(count(cues, "justify_cue_word"), 0.25, setting=MANY),
+    "justify_cue_word": Probe(count(cues, "justify_cue_word"), 0.08, setting=MANY),
     "concede_cue_word": Probe(
-        count(cues, "concede_cue_word"), 0.15, setting=MANY | {"contrast_cue_word": 0.0}
+        count(cues, "concede_cue_word"), 0.08, setting=MANY | {"contrast_cue_word": 0.0}
     ),
-    "sequence_cue_word": Probe(count(cues, "sequence_cue_word"), 0.03, setting=ALONE, seeds=200),
+    "sequence_cue_word": Probe(count(cues, "sequence_cue_word"), 0.02, setting=ALONE, seeds=200),
     "merge_with_comma": Probe(
         lambda said: [len(said_again(said))], 0.3, setting=AGAIN | {"repetitions": 1.0}
     ),
-    "object_ellipsis": Probe(of_sentences(lambda sentence: sentence.false_start), 0.2),
+    "object_ellipsis": Probe(of_sentences(lambda sentence: sentence.false_start), 0.08),
     # Pragmatic markers
     "subject_implicitness": Probe(implicit_subjects, 0.1, setting={"verbosity": 0.8}),
     "stuttering": Probe(stutters, 0.7),
     "pronominalization": Probe(pronoun_subjects, 0.5, never=False, setting=SOME),
-    "negation": Probe(negated_antonyms, 0.2),
+    "negation": Probe(negated_antonyms, 0.15),
     "softener_hedges": Probe(
         softened("softener_hedges"),
         0.7,
@@ -511,7 +511,7 @@ PROBES: dict[str, Probe] = {
         count(degrees, "weakened_positive_content"), 0.1, setting={"softener_hedges": 0.0}
     ),
     "emphasizer_hedges": Probe(
-        emphasized, 0.5, setting={"merge_with_comma": 0.0, "softener_hedges": 0.0}
+        emphasized, 0.4, setting={"merge_with_comma": 0.0, "softener_hedges": 0.0}
     ),
     "acknowledgments": Probe(count(openers, "acknowledgments"), 0.8, setting={"filled_pauses": 0}),
     "filled_pauses": Probe(
@@ -524,8 +524,8 @@ PROBES: dict[str, Probe] = {
         0.5,
         setting={"request_confirmation": 0.0},
     ),
-    "expletives": Probe(oaths, 0.6, rating="strong"),
-    "near_expletives": Probe(near_oaths, 0.6),
+    "expletives": Probe(oaths, 0.4, rating="strong"),
+    "near_expletives": Probe(near_oaths, 0.4),
     "tag_question": Probe(lambda said: [float(any(s.tag for s in said.sentences))], 0.6),
     "in_group_marker": Probe(lambda said: [float(any(s.vocative for s in said.sentences))], 0.8),
     # Lexical choice

@@ -123,7 +123,7 @@ def test_a_long_file_is_not_deep() -> None:
     assert len(parse_yaml("- [{a: b-c}]\n" * 5000, "a.yaml").sequence()) == 5000
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=100, deadline=None)
 @given(st.one_of(st.text(), st.text("[]{}:,-&*!|>?'\"#%@~ \n\tab1.", max_size=40)))
 def test_any_text_is_read_or_refused(content: str) -> None:
     try:

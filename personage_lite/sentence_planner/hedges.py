@@ -103,6 +103,7 @@ def softened(
                 for m in markers
                 if m.place in places
                 and (not m.verbs or verb in m.verbs)
+                and m.polarity in ("", clause.polarity)
                 and not _echoes(clause, m.text)
             ]
         )
@@ -186,7 +187,9 @@ def weakened_positive_content(
 ) -> SentencePlan | None:
     """Make good news small: "somewhat imaginative" (the paper, section IV-C)."""
     for index, clause in enumerate(plan.clauses):
-        if clause.polarity == "good" and _unhedged(clause) and _degree_fits(clause):
+        if _someone(clause) or clause.polarity != "good":
+            continue
+        if _unhedged(clause) and _degree_fits(clause):
             marker = rng.marker(lexicon.markers["weakened_positive_content"])
             if marker is None:
                 return None
@@ -238,6 +241,8 @@ def _stress_places(plan: SentencePlan, index: int) -> set[str]:
     weak = spec.verb in ("be", "have") or spec.quotation
     if not weak and pause_fits(clause) and not any(map(_is_adverb, spec.adverbials)):
         places.add("middle")
+        if len(plan.clauses) == 1:
+            places.add("alone")
     return places
 
 
@@ -250,7 +255,9 @@ def _is_adverb(phrase: Phrase) -> bool:
 
 
 def negation(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> SentencePlan | None:
-    """Say an attribute through its negated antonym: "isn't dull"."""
+    """Say an attribute through its negated antonym: "isn't dull"; not where it is a reason."""
+    if len(plan.clauses) > 1:
+        return None
     for index, clause in enumerate(plan.clauses):
         said = clause.clause.complement
         if clause.clause.negated or clause.clause.degree or clause.role != "assertion":

@@ -67,7 +67,7 @@ def replace_last(sentence: SentencePlan, clause: ClausePlan, word: str = "") -> 
 
 
 def coordinate(pair: Pair, cue: Marker, rng: OperatorDraws, most: int) -> Joint | None:
-    """Join with a coordinating cue, up to `most` clauses; an equal subject is at times left unsaid."""
+    """Join with a coordinating cue, up to `most` clauses; an equal subject may be left unsaid."""
     left, right, last = pair.left, pair.right, pair.last
     if len(left.clauses) >= most or last.clause.quotation:
         return None

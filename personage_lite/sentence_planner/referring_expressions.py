@@ -31,6 +31,7 @@ class ReferringExpressions:
         state: ConversationState,
     ) -> None:
         self._entities = character.entities
+        self._topic = character.entity.id
         self._pronominalization = parameters["pronominalization"]
         self._draws = draws
         self._known = state.introduced
@@ -75,11 +76,19 @@ class ReferringExpressions:
     def _may_be_pronoun(self, entity: Entity, subjective: bool) -> bool:
         if entity.id not in self._here and entity.id not in self._before:
             return False
+        if self._turn_before and entity.id not in self._here and entity.id != self._topic:
+            return False  # across turns only the one who is talked about stays clear
         if subjective and self._subject == entity.id:
             return True
         return not self._has_rivals(entity)
 
-    def form(self, phrase: NounPhrase, subjective: bool, bound: bool = False) -> NounPhrase:
+    def form(
+        self,
+        phrase: NounPhrase,
+        subjective: bool,
+        bound: bool = False,
+        possessive: bool = False,
+    ) -> NounPhrase:
         """Return a mention in the form in which it is said here."""
         entity = self._entities.get(phrase.entity)
         if entity is None:
@@ -87,6 +96,8 @@ class ReferringExpressions:
         if bound:
             return phrase._replace(pronoun=True)
         chosen = self._form(entity, phrase.stutter > 0, subjective)
+        if possessive and not chosen.pronoun:
+            chosen = entity.short_phrase  # "the Queen's guests"
         if phrase.stutter and not chosen.pronoun:
             chosen = chosen._replace(stutter=phrase.stutter)
         if phrase.relative is not None:
@@ -186,7 +197,7 @@ class ReferringExpressions:
                 changes["subject"] = self.form(subject, subjective=True)
         elif subject is not None and subject.possessor is not None:
             owner = subject.possessor.entity
-            possessor = self.form(subject.possessor, subjective=False)
+            possessor = self.form(subject.possessor, subjective=False, possessive=True)
             changes["subject"] = subject._replace(possessor=possessor)
         self._clause_subject = owner
         if isinstance(clause.indirect_object, Text):
@@ -211,7 +222,9 @@ class ReferringExpressions:
         for part in text.parts:
             if isinstance(part, Cased) and part.phrase.entity and part.case != "reflexive":
                 bound = part.phrase.entity == self._clause_subject
-                form = self.form(part.phrase, part.case == "subjective", bound)
+                form = self.form(
+                    part.phrase, part.case == "subjective", bound, part.case == "possessive"
+                )
                 parts.append(Cased(form, part.case))
                 changed = True
             else:

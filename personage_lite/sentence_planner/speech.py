@@ -8,7 +8,7 @@ from __future__ import annotations
 from personage_lite.lexicon import Lexicon
 from personage_lite.operators import OperatorDraws
 from personage_lite.plan import Frame, SentencePlan
-from personage_lite.realizer.specification import Text
+from personage_lite.realizer.specification import Cased, Text
 from personage_lite.sentence_planner.hedges import (
     EMPHASIZED,
     HEDGED,
@@ -67,7 +67,9 @@ def filled_pauses(
         able = tuple(
             marker
             for marker in lexicon.markers["filled_pauses"]
-            if marker.place == "pause" or opening
+            if (marker.place == "pause" or opening)
+            # Nobody gropes for words and stresses them at once.
+            and not (marker.lean < 0 and EMPHASIZED in clause.marks)
         )
         marker = rng.marker(able)
         if marker is None:
@@ -192,8 +194,10 @@ def stuttering(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> S
         return None
     first = plan.clauses[0]
     subject = first.clause.subject
-    if subject is None:
+    if subject is None or any(opener.mark for opener in plan.openers):
         return None
+    if first.frame is not None and _mentions(first.frame.lead):
+        return None  # the name has been said before
     times = 2 if rng.uniform("twice") < _TWICE else 1
     if subject.possessor is not None:
         stuttered = subject._replace(possessor=subject.possessor._replace(stutter=times))
@@ -219,3 +223,7 @@ def object_ellipsis(
     ):
         return None
     return plan._replace(false_start=True)
+
+
+def _mentions(text: Text | None) -> bool:
+    return text is not None and any(isinstance(part, Cased) for part in text.parts)

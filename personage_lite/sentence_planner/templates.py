@@ -69,10 +69,8 @@ def fits(template: Template, plan: ClausePlan) -> bool:
     if template.form == "degree":
         return plan.gradable and not clause.negated and plan.strength != "somewhat"
     if template.form == "someone_who":
-        # Someone who is kind, who has a cat; not "someone who is a little girl".
-        subject = clause.subject
-        named = clause.verb == "be" and isinstance(clause.complement, Text)
-        return subject is not None and bool(subject.entity) and not (clause.quotation or named)
+        # Someone who is kind; not "someone who is a little girl", "who falls down a well".
+        return plan.gradable and not clause.negated
     # "I love that she loves …" says the same word twice.
     if clause.verb in template.lead.split(" "):
         return False
