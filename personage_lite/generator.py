@@ -67,8 +67,9 @@ class Generator:
         key = identifier(name)
         if key not in self._characters:
             about = find_character(name, self._facts)
-            self._characters[key] = about
+            # In this order: another thread may look for the one as soon as it sees the other.
             self._plain[about.entity.id] = plain_clauses(about, self.lexicon)
+            self._characters[key] = about
         return self._characters[key]
 
     def characters(self) -> list[Character]:

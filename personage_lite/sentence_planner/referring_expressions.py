@@ -31,7 +31,7 @@ class ReferringExpressions:
         state: ConversationState,
     ) -> None:
         self._entities = character.entities
-        self._topic = character.entity.id
+        self._going_on = state.topic if state.topic == character.entity.id else ""
         self._pronominalization = parameters["pronominalization"]
         self._draws = draws
         self._known = state.introduced
@@ -76,7 +76,7 @@ class ReferringExpressions:
     def _may_be_pronoun(self, entity: Entity, subjective: bool) -> bool:
         if entity.id not in self._here and entity.id not in self._before:
             return False
-        if self._turn_before and entity.id not in self._here and entity.id != self._topic:
+        if self._turn_before and entity.id not in self._here and entity.id != self._going_on:
             return False  # across turns only the one who is talked about stays clear
         if subjective and self._subject == entity.id:
             return True
@@ -179,6 +179,7 @@ class ReferringExpressions:
         relative = plan.link in ("relative", "object_relative")
         frame = plan.frame
         if frame is not None and frame.lead is not None:
+            self._clause_subject = ""
             frame = frame._replace(lead=self._text(frame.lead))
         named = plan.link == "main" and any(other.link == "relative" for other in sentence.clauses)
         return plan._replace(clause=self._clause(plan.clause, relative, named), frame=frame)
