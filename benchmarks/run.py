@@ -24,7 +24,12 @@ HERE = Path(__file__).resolve().parent
 ROUNDS, SLICE_SECONDS, MEMORY_COUNTS = 11, 0.5, (1, 1_000, 10_000)
 QUICK_ROUNDS, QUICK_SLICE_SECONDS, QUICK_MEMORY_COUNTS = 2, 0.05, (1, 20, 200)
 
-OURS = ["-m", "personage_lite", "generate", "--character", "alice", "--x", "2", "--seed", "1"]
+# What the installed command does, without the shell's and pip's share.
+OURS = [
+    "-c",
+    "from personage_lite.cli import main; main()",
+    *("generate", "--character", "alice", "--x", "2", "--seed", "1"),
+]
 PYREALB = """\
 from pyrealb import A, D, N, NP, Q, S, V, VP
 print(S(Q("Alice"), VP(V("be"), NP(D("a"), A("imaginative"), N("girl")))).realize())

@@ -161,8 +161,7 @@ class _Planner:
                 satellite_first=found.satellite == left.id,
                 fixed_order=left.id in self.character.prerequisites.get(right.id, ()),
             )
-        same = left.clause.subject is not None and left.clause.subject == right.clause.subject
-        return Link("infer") if same else _NOTHING
+        return Link("infer") if left.about == right.about else _NOTHING
 
     def stress(self, links: list[Link], messages: list[Message]) -> list[Link]:
         """Make the good side of a concession its nucleus, if drawn: the stress falls there.
@@ -250,7 +249,9 @@ def plan_content(character: Character, turn: Turn) -> tuple[ContentPlan, list[De
     links = planner.stress(links, messages)
     new_topic = turn.state.topic != character.entity.id
     confirmation = new_topic and planner.decide("request_confirmation")
-    rejection = not confirmation and planner.decide("initial_rejection")
+    # Nobody disclaims a plain neutral fact.
+    doubtful = not confirmation and messages[0].fact.polarity != "neutral"
+    rejection = doubtful and planner.decide("initial_rejection")
     mitigation = not rejection and planner.decide("competence_mitigation")
     plan = ContentPlan(tuple(messages), tuple(links), confirmation, rejection, mitigation)
     return plan, planner.decisions

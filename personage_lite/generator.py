@@ -23,7 +23,7 @@ from personage_lite.sentence_planner import PRAGMATIC_MARKERS, plan_sentences
 from personage_lite.sentence_planner.assembly import assemble
 from personage_lite.sentence_planner.templates import plain_clauses
 from personage_lite.state import ConversationState
-from personage_lite.style import check_overrides, check_x
+from personage_lite.style import check_overrides, check_x, noisy
 
 DEFAULT_STYLE = "extraversion-v1"
 _NEW_CONVERSATION = ConversationState()
@@ -53,6 +53,8 @@ class Generator:
         self.style = load_style(folder, style)
         self.realizer = Realizer(self.lexicon.grammar)
         self._operators = tuple(operators)
+        # The parameters at the X asked for last: most calls ask for the same one again.
+        self._anchored = (0.0, self.style.anchored(0.0))
         self._characters: dict[str, Character] = {}
         self._plain: dict[str, dict[str, ClausePlan]] = {}
 
@@ -64,7 +66,7 @@ class Generator:
 
     def character(self, name: str) -> Character:
         """Return a character by id or name, reading its file the first time it is asked for."""
-        key = identifier(name)
+        key = name if name in self._characters else identifier(name)
         if key not in self._characters:
             about = find_character(name, self._facts)
             # In this order: another thread may look for the one as soon as it sees the other.
@@ -105,11 +107,14 @@ class Generator:
         if rating not in RATINGS:
             raise PersonageError(f"no rating '{rating}'; choose from: {', '.join(RATINGS)}")
         draws = Draws(seed, state.turn)
-        fixed = None
+        for_x, anchored = self._anchored
+        if for_x != x:
+            anchored = self.style.anchored(x)
+            self._anchored = (x, anchored)
+        parameters = noisy(anchored, draws)
         if overrides:
             names = [operator.name for operator in self._operators]
-            fixed = check_overrides(self.style, overrides, names)
-        parameters = self.style.values(x, draws, fixed)
+            parameters.update(check_overrides(self.style, overrides, names))
         show = self._show if trace else None
         turn = Turn(parameters, draws, x, state, rating, self.lexicon, show)
 

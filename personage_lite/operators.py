@@ -95,7 +95,9 @@ class Turn(NamedTuple):
     def probability(self, operator: str) -> float:
         """Return an operator's probability: its parameter, damped if it was used lately."""
         value = self.parameters.get(operator, 0.0)
-        return value if value >= 1.0 else value * damping(self.state, operator)
+        if value >= 1.0 or not self.state.worn:
+            return value
+        return value * damping(self.state, operator)
 
 
 class SentenceRewrite(Protocol):

@@ -54,6 +54,14 @@ class Parameter(NamedTuple):
     does: str
 
 
+class Anchored(NamedTuple):
+    """A parameter's value at one X, and the deviation of the noise on it."""
+
+    name: str
+    value: float
+    noise: float
+
+
 class Style(NamedTuple):
     """A versioned set of parameters, with the deviation of the noise on their values."""
 
@@ -61,30 +69,32 @@ class Style(NamedTuple):
     noise: float
     parameters: dict[str, Parameter]
 
-    def values(
-        self, x: float, draws: Draws, overrides: Mapping[str, float] | None = None
-    ) -> dict[str, float]:
-        """Return every parameter's value for one utterance: anchored, noisy, within [0, 1].
+    def anchored(self, x: float) -> tuple[Anchored, ...]:
+        """Return every parameter's value at X, interpolated, with the deviation of its noise.
 
-        A value of 0 or 1 means never or always and stays so; overridden values have no noise.
+        Near 0 and 1 there is less noise, so that what is rare does not become common by chance
+        and no value leaves [0, 1]; a value of 0 or 1 means never or always and stays so.
         """
         left = min(int(x - LOWEST_X), _ANCHORS - 2)
         share = x - LOWEST_X - left
-        noise = self.noise
-        found: dict[str, float] = {}
-        # By place in the file: a new parameter goes to its end, so that the others stay.
-        deviations = draws.gauss(len(self.parameters))
-        for parameter, deviation in zip(self.parameters.values(), deviations, strict=True):
-            anchors = parameter.anchors
-            value = anchors[left] + (anchors[left + 1] - anchors[left]) * share
-            if 0.0 < value < 1.0:
-                # Near 0 and 1 there is less of it: what is rare must not become common by chance.
-                value += noise * deviation * min(1.0, 10 * value, 10 * (1 - value))
-                value = 0.0 if value < 0.0 else 1.0 if value > 1.0 else value
-            found[parameter.name] = value
-        if overrides:
-            found.update(overrides)
-        return found
+        found = []
+        for name, parameter in self.parameters.items():
+            low, high = parameter.anchors[left], parameter.anchors[left + 1]
+            value = low + (high - low) * share
+            found.append(Anchored(name, value, min(self.noise, value / 3, (1 - value) / 3)))
+        return tuple(found)
+
+
+def noisy(anchored: tuple[Anchored, ...], draws: Draws) -> dict[str, float]:
+    """Return the parameters' values for one utterance, with Gaussian noise as in PERSONAGE.
+
+    The noise goes by place in the file: a new parameter goes to its end, so that the others stay.
+    """
+    deviations = draws.gauss(len(anchored))
+    return {
+        name: value + noise * deviation
+        for (name, value, noise), deviation in zip(anchored, deviations, strict=True)
+    }
 
 
 def check_x(x: float) -> float:

@@ -27,6 +27,13 @@ gc.set_threshold(100_000, 50, 50)
 COMMANDS = (generate, characters, check)
 
 
+class _Formatter(argparse.HelpFormatter):
+    """Help in lines of one width: argparse would import much to measure the terminal."""
+
+    def __init__(self, prog: str) -> None:
+        super().__init__(prog, max_help_position=30, width=92)
+
+
 class _Parser(argparse.ArgumentParser):
     """A parser whose errors are one line, with the help a command away."""
 
@@ -46,10 +53,12 @@ def parser() -> argparse.ArgumentParser:
     """Return the parser of all commands."""
     top = _Parser(
         prog="personage-lite",
+        formatter_class=_Formatter,
         description="Turns facts into speech with a controllable personality.",
     )
     top.add_argument("--version", action="version", version=f"personage-lite {__version__}")
-    commands = top.add_subparsers(required=True, metavar="COMMAND")
+    # With a `prog` argparse need not format a usage line, nor import what measures terminals.
+    commands = top.add_subparsers(required=True, metavar="COMMAND", prog=top.prog)
     for module in COMMANDS:
         name = module.__name__.rpartition(".")[2]
         command = commands.add_parser(
@@ -57,6 +66,7 @@ def parser() -> argparse.ArgumentParser:
             help=module.HELP,
             description=module.HELP,
             epilog=f"example: {module.EXAMPLE}",
+            formatter_class=_Formatter,
         )
         module.add_arguments(command)
         command.set_defaults(run=module.run)

@@ -57,6 +57,8 @@ def conjunction(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | 
         return None
     if opposed(pair.last, pair.right) or pair.last.topic != pair.right.topic:
         return None
+    if pair.link.kind == "infer" and describes(pair.last) != describes(pair.right):
+        return None  # not "she's watchful and makes some tarts"
     cue = rng.marker(lexicon.markers["conjunction"])
     return coordinate(pair, cue, rng, MOST_UNCUED) if cue else None
 

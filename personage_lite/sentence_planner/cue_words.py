@@ -37,11 +37,17 @@ def _joined(pair: Pair, cue: Marker, rng: OperatorDraws) -> Joint | None:
     introduced = pair.right
     if cue.role and cue.role != right_role:
         introduced = pair.last
+    if pair.link.kind == "justification" and len(pair.left.clauses) > 1:
+        return None  # the reason, or what it explains, would be taken for all that came before
     if cue.attach in ("coordinate", "connective"):
         turned = pair if introduced is pair.right else _turned(pair)
         if turned is None:
             return None
         if cue.attach == "connective":
+            if pair.left.words:
+                return None  # one reversal after another tires: "…, but … However, …"
+            if turned.right.frame is not None:
+                return None  # "Then, I love that …" would date the love, not the deed
             if len(turned.left.clauses) > 1 and turned is not pair:
                 return None
             new = SentencePlan((turned.right,), connective=cue.text, words=(cue.text,))

@@ -17,7 +17,7 @@ SOFTENED, EMPHASIZED = "softened", "emphasized"
 HEDGED = "hedged"
 # The adjective is a word already, not a concept.
 ANTONYM = "antonym"
-_MOST_OPENERS = 2
+_MOST_OPENERS = 1
 # Operators look at the clauses in the order they are spoken and change the first that fits.
 _SAID = ("main", "coordinate", "subordinate", "fronted")
 
@@ -29,8 +29,8 @@ def replaced(plan: SentencePlan, index: int, clause: ClausePlan, word: str) -> S
 
 
 def opener_fits(plan: SentencePlan) -> bool:
-    """Whether more words can stand before a sentence: two at most, none after "but"."""
-    full = len(plan.openers) >= _MOST_OPENERS or any(not item.mark for item in plan.openers)
+    """Whether words can stand before a sentence: one opener is enough, none goes before "also"."""
+    full = len(plan.openers) >= _MOST_OPENERS
     return not (full or plan.connective or plan.false_start)
 
 
@@ -136,7 +136,8 @@ def _soft_places(plan: SentencePlan, index: int, lexicon: Lexicon) -> set[str]:
         places.add("pause")
     if _starts_with_number(clause, lexicon):
         places.add("quantity")
-    free = clause.frame is None and HEDGED not in clause.marks
+    # Doubt belongs to judgements, not to plain neutral facts.
+    free = clause.frame is None and HEDGED not in clause.marks and clause.polarity != "neutral"
     if free and not clause.clause.quotation and not plan.afterthought:
         fronted = any(other.link in ("fronted", "relative") for other in plan.clauses)
         if clause.link == "main" and not fronted and not plan.connective:
@@ -234,7 +235,7 @@ def _stress_places(plan: SentencePlan, index: int) -> set[str]:
     if _degree_fits(clause):
         places.add("degree")
     if index == 0 and not plan.first and opener_fits(plan):
-        if isinstance(spec.complement, AdjectivePhrase):
+        if isinstance(spec.complement, AdjectivePhrase) and clause.frame is None:
             places.add("opener")
         if clause.polarity != "neutral":
             places.add("news")

@@ -71,6 +71,8 @@ def coordinate(pair: Pair, cue: Marker, rng: OperatorDraws, most: int) -> Joint 
     left, right, last = pair.left, pair.right, pair.last
     if len(left.clauses) >= most or last.clause.quotation:
         return None
+    if pair.link.kind == "justification" and last.frame is not None and not last.frame.inner_tag:
+        return None  # "I love that she is polite, so …" would draw a conclusion from the love
     if right.frame is not None and not _frame_fits(pair):
         return None
     shared = (
@@ -81,6 +83,7 @@ def coordinate(pair: Pair, cue: Marker, rng: OperatorDraws, most: int) -> Joint 
         and not cue.own_subject
         and last.role == "assertion"
         and last.clause.verb != right.clause.verb
+        and describes(last) == describes(right)
         and last.clause.tense == right.clause.tense
         and rng.uniform("shared_subject") < _SHARED_SUBJECT
     )

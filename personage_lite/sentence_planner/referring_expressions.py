@@ -170,37 +170,64 @@ class ReferringExpressions:
                     self._said.add(part.phrase.entity)
             clauses: tuple[ClausePlan, ...] = ()
         else:
-            clauses = tuple(self._clause_plan(clause, plan) for clause in plan.clauses)
+            clauses = self._clauses(plan.clauses)
         self._before = frozenset(self._here)
         self._turn_before = False
         return plan._replace(clauses=clauses)
 
-    def _clause_plan(self, plan: ClausePlan, sentence: SentencePlan) -> ClausePlan:
-        relative = plan.link in ("relative", "object_relative")
-        frame = plan.frame
-        if frame is not None and frame.lead is not None:
-            self._clause_subject = ""
-            frame = frame._replace(lead=self._text(frame.lead))
-        named = plan.link == "main" and any(other.link == "relative" for other in sentence.clauses)
-        return plan._replace(clause=self._clause(plan.clause, relative, named), frame=frame)
-
-    def _clause(self, clause: Clause, relative: bool, named: bool) -> Clause:
-        subject = clause.subject
-        owner = subject.entity if subject is not None else ""
-        changes: dict[str, object] = {}
-        if subject is not None and owner and not relative:
-            if named and not subject.stutter:
-                entity = self._entities[owner]
-                changes["subject"] = self._name(entity, named=True)
-                self._here.append(owner)
-                self._said.add(owner)
+    def _clauses(self, plans: tuple[ClausePlan, ...]) -> tuple[ClausePlan, ...]:
+        """Resolve clauses in spoken order: a relative clause comes before its host's verb."""
+        done: list[ClausePlan] = []
+        for index, plan in enumerate(plans):
+            if plan.link == "relative":
+                continue
+            inner = plans[index + 1] if index + 1 < len(plans) else None
+            if inner is not None and inner.link != "relative":
+                inner = None
+            frame = plan.frame
+            if frame is not None and frame.lead is not None:
+                self._clause_subject = ""
+                frame = frame._replace(lead=self._text(frame.lead))
+            clause = plan.clause
+            if plan.link != "object_relative":
+                clause = self._with_subject(clause, named=inner is not None)
+            if inner is not None:
+                inside = self._with_arguments(inner.clause)
+                clause = self._with_arguments(clause)
+                done += [
+                    plan._replace(clause=clause, frame=frame),
+                    inner._replace(clause=inside),
+                ]
             else:
-                changes["subject"] = self.form(subject, subjective=True)
-        elif subject is not None and subject.possessor is not None:
-            owner = subject.possessor.entity
-            possessor = self.form(subject.possessor, subjective=False, possessive=True)
-            changes["subject"] = subject._replace(possessor=possessor)
+                clause = self._with_arguments(clause)
+                done.append(plan._replace(clause=clause, frame=frame))
+        return tuple(done)
+
+    def _with_subject(self, clause: Clause, named: bool) -> Clause:
+        """Resolve a clause's subject; `named` asks for a name, to hang a relative clause on."""
+        subject = clause.subject
+        if subject is None:
+            return clause
+        if subject.possessor is not None:
+            owner = self.form(subject.possessor, subjective=False, possessive=True)
+            return clause._replace(subject=subject._replace(possessor=owner))
+        if not subject.entity:
+            return clause
+        if not named or subject.stutter:
+            return clause._replace(subject=self.form(subject, subjective=True))
+        self._here.append(subject.entity)
+        name = self._name(self._entities[subject.entity], named=True)
+        self._said.add(subject.entity)
+        return clause._replace(subject=name)
+
+    def _with_arguments(self, clause: Clause) -> Clause:
+        """Resolve the mentions in a clause after its subject."""
+        subject = clause.subject
+        owner = ""
+        if subject is not None:
+            owner = subject.entity or (subject.possessor.entity if subject.possessor else "")
         self._clause_subject = owner
+        changes: dict[str, object] = {}
         if isinstance(clause.indirect_object, Text):
             changes["indirect_object"] = self._text(clause.indirect_object)
         if isinstance(clause.object, Text):

@@ -22,7 +22,7 @@ from personage_lite.sentence_planner.hedges import (
     with_opener,
 )
 
-_TWICE = 0.4
+_TWICE = 0.3
 STUTTER = "stutter"
 
 
@@ -146,6 +146,8 @@ def tag_question(
         return None
     # What is announced as news, or sworn to, is not asked back.
     if any(opener.mark == "?" for opener in plan.openers):
+        return None
+    if any(clause.clause.interruption for clause in plan.clauses):
         return None
     last = plan.clauses[-1]
     if last.link == "object_relative" or last.clause.quotation:

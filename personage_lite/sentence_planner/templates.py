@@ -64,8 +64,9 @@ def fits(template: Template, plan: ClausePlan) -> bool:
     clause = plan.clause
     if plan.role != "assertion" or template.polarity not in ("", plan.polarity):
         return False
-    if template.emphatic and plan.polarity == "neutral":
-        return False
+    opinion = template.emphatic or (template.hedging and template.form == "clause")
+    if opinion and plan.polarity == "neutral":
+        return False  # nobody has a view on whether she is a little girl
     if template.form == "degree":
         return plan.gradable and not clause.negated and plan.strength != "somewhat"
     if template.form == "someone_who":
