@@ -14,7 +14,7 @@ def data_folder(name: str) -> Path:
     sooner. Raises `PersonageError` if the installation has lost its data.
     """
     package = Path(__file__).parent
-    for folder in (package / "data" / name, package.parent / name):
+    for folder in (package / "_data" / name, package.parent / name):
         if folder.is_dir():
             return folder
     raise PersonageError(f"the folder '{name}' is missing; install personage-lite again")
