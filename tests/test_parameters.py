@@ -282,6 +282,8 @@ def confirmations(said: Utterance) -> list[float]:
 
 def rejections(said: Utterance) -> list[float]:
     """Whether an utterance begins with a refusal."""
+    if said.plan.messages[0].fact.polarity == "neutral":
+        return []  # what is neither good nor bad is not disclaimed
     return [float(any(said.text.startswith(words) for words in texts("initial_rejection")))]
 
 
