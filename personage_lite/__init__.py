@@ -40,7 +40,7 @@ def english() -> Realizer:
     from personage_lite.realizer.grammar import read_grammar
     from personage_lite.yaml_reader import read_yaml
 
-    return Realizer(read_grammar(read_yaml(data_folder("lexicons") / "grammar.yaml")))
+    return Realizer(read_grammar(read_yaml(f"{data_folder('lexicons')}/grammar.yaml")))
 
 
 def __getattr__(name: str) -> object:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass, field
-from pathlib import Path
+from os import PathLike
+from os.path import isfile, join
 
 from personage_lite.data import data_folder
 from personage_lite.errors import DataError, PersonageError, nearest
@@ -31,14 +31,14 @@ def check_all() -> Report:
     return Report(f"{lexicons.checked}, {facts.checked}", lexicons.faults + facts.faults)
 
 
-def check_path(path: Path) -> Report:
+def check_path(path: str | PathLike[str]) -> Report:
     """Check a facts file, a folder of facts, or a folder of lexicons."""
-    if os.path.isfile(path / "markers.yaml"):  # False, too, for a path that cannot be one.
+    if isfile(join(path, "markers.yaml")):  # False, too, for a path that cannot be one.
         return check_lexicons(path)
     return check_facts(path)
 
 
-def check_lexicons(folder: Path) -> Report:
+def check_lexicons(folder: str | PathLike[str]) -> Report:
     """Load a folder of lexicons and check that its parts fit together."""
     try:
         lexicon = load_lexicon(folder)
@@ -59,7 +59,7 @@ def check_lexicons(folder: Path) -> Report:
     return report
 
 
-def check_facts(place: Path) -> Report:
+def check_facts(place: str | PathLike[str]) -> Report:
     """Check facts files: their form, and what no reader of one fact alone can see."""
     report = Report("facts")
     try:

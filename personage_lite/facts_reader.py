@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
-from pathlib import Path
+from os import PathLike, fspath, stat, walk
+from os.path import basename, dirname, isfile, join, splitext
+from stat import S_ISDIR
 from typing import cast
 
 from personage_lite.errors import DataError, PersonageError, nearest, shown
@@ -41,32 +42,41 @@ def identifier(name: str) -> str:
     return "_".join(words[1:] if len(words) > 1 and words[0] == "the" else words)
 
 
-def character_files(place: Path) -> dict[str, Path]:
+def character_files(place: str | PathLike[str]) -> dict[str, str]:
     """Return the facts files under a folder (or the one file given) by character id."""
+    place = fspath(place)
     try:
-        if place.is_file():
-            return {place.stem: place}
-        folder = place.is_dir()
+        kind = stat(place).st_mode
+    except FileNotFoundError:
+        raise PersonageError(f"{place}: no such file or folder; check the path") from None
     except OSError as error:  # A name that is too long, a folder that is locked.
         raise PersonageError(f"{place}: {error.strerror}; check the path") from None
-    if not folder:
-        raise PersonageError(f"{place}: no such file or folder; check the path")
-    files = sorted(path for path in place.rglob("*.yaml") if path.name != ENTITIES_FILE)
-    if not files:
+    if not S_ISDIR(kind):
+        return {_stem(place): place}
+    found: dict[str, str] = {}
+    for folder, folders, names in walk(place):
+        folders.sort()
+        for name in sorted((*names, *folders)):  # reading a folder of that name says what is wrong
+            if not name.endswith(".yaml") or name == ENTITIES_FILE:
+                continue
+            path, key = join(folder, name), _stem(name)
+            if key in found:
+                raise PersonageError(
+                    f"{path}: '{key}' is also {found[key]}; rename one of the two files"
+                )
+            found[key] = path
+    if not found:
         raise PersonageError(
             f"{place}: holds no facts file; see docs/facts.md for how to write one"
         )
-    found: dict[str, Path] = {}
-    for path in files:
-        if path.stem in found:
-            raise PersonageError(
-                f"{path}: '{path.stem}' is also {found[path.stem]}; rename one of the two files"
-            )
-        found[path.stem] = path
-    return found
+    return dict(sorted(found.items()))
 
 
-def find_character(name: str, place: Path) -> Character:
+def _stem(path: str) -> str:
+    return splitext(basename(path))[0]
+
+
+def find_character(name: str, place: str | PathLike[str]) -> Character:
     """Load one character by id or name, reading only its file and the entities beside it.
 
     Raises `PersonageError` for an unknown name (nearest names offered), `DataError` for a fault.
@@ -78,15 +88,16 @@ def find_character(name: str, place: Path) -> Character:
     return read_character(files[key])
 
 
-def read_character(path: Path, faults: list[DataError] | None = None) -> Character:
+def read_character(path: str | PathLike[str], faults: list[DataError] | None = None) -> Character:
     """Read one facts file, with `entities.yaml` beside it if there is one.
 
     With a list for `faults`, those of single facts and relations are put there and the rest is
     read on; without one the first is raised.
     """
+    path = fspath(path)
     entities: dict[str, Entity] = {}
-    shared = path.with_name(ENTITIES_FILE)
-    if os.path.isfile(shared):  # False, too, in a folder that is locked.
+    shared = join(dirname(path), ENTITIES_FILE)
+    if isfile(shared):  # False, too, in a folder that is locked.
         node = read_yaml(shared)
         _read_entities(node.need("entities"), entities)
         node.done()
@@ -95,11 +106,12 @@ def read_character(path: Path, faults: list[DataError] | None = None) -> Charact
     if own is not None:
         _read_entities(own, entities)
     about = node.need("about")
-    if about.text() != path.stem:
-        raise about.fault(f"'{about.text()}' is not the file's name", f"write about: {path.stem}")
+    if about.text() != _stem(path):
+        raise about.fault(f"'{about.text()}' is not the file's name", f"write about: {_stem(path)}")
     if about.text() not in entities:
         raise about.fault(
-            f"no entity '{about.text()}'", f"describe it under 'entities:' here or in {shared.name}"
+            f"no entity '{about.text()}'",
+            f"describe it under 'entities:' here or in {ENTITIES_FILE}",
         )
     reader = FactReader(entities[about.text()], entities)
     facts: dict[str, Fact] = {}
@@ -124,7 +136,7 @@ def read_character(path: Path, faults: list[DataError] | None = None) -> Charact
         tuple(facts.values()),
         tuple(relations),
         source,
-        str(path),
+        path,
     )
     _refuse_cycles(found, node.file)
     return found

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from copy import copy
-from pathlib import Path
+from os import PathLike
 
 from personage_lite.content_planner import plan_content
 from personage_lite.data import data_folder
@@ -42,13 +42,13 @@ class Generator:
 
     def __init__(
         self,
-        facts: Path | str | None = None,
-        lexicons: Path | str | None = None,
+        facts: str | PathLike[str] | None = None,
+        lexicons: str | PathLike[str] | None = None,
         style: str = DEFAULT_STYLE,
         operators: Sequence[Operator] = PRAGMATIC_MARKERS,
     ) -> None:
-        self._facts = data_folder("facts") if facts is None else Path(facts)
-        folder = data_folder("lexicons") if lexicons is None else Path(lexicons)
+        self._facts = data_folder("facts") if facts is None else facts
+        folder = data_folder("lexicons") if lexicons is None else lexicons
         self.lexicon: Lexicon = load_lexicon(folder)
         self.style = load_style(folder, style)
         self.realizer = Realizer(self.lexicon.grammar)

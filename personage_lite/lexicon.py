@@ -5,7 +5,8 @@ Whoever adds a hedge or a synonym edits the YAML; the code knows operators, not 
 
 from __future__ import annotations
 
-from pathlib import Path
+from os import PathLike
+from os.path import join
 from typing import Literal, NamedTuple, TypeAlias
 
 from personage_lite.facts import POLARITIES
@@ -103,7 +104,7 @@ MARKER_PLACES: dict[str, tuple[str, ...]] = {
     "weakened_positive_content": ("degree",),
     "emphasizer_hedges": ("degree", "middle", "alone", "opener", "news"),
     "acknowledgments": ("utterance", "sentence", "question", "answer"),
-    "filled_pauses": ("pause", "opener"),
+    "filled_pauses": ("pause", "opener", "answer"),
     "expletives": ("degree", "opener"),
     "near_expletives": ("degree", "opener"),
     "tag_question": (),
@@ -122,25 +123,25 @@ MARKER_PLACES: dict[str, tuple[str, ...]] = {
 }
 
 
-def load_lexicon(folder: Path) -> Lexicon:
+def load_lexicon(folder: str | PathLike[str]) -> Lexicon:
     """Read the lexicon's files from a folder.
 
     Raises `DataError` that names file, line and remedy for anything unknown, missing or empty.
     """
-    templates, someone = _read_templates(read_yaml(folder / "templates.yaml"))
+    templates, someone = _read_templates(read_yaml(join(folder, "templates.yaml")))
     return Lexicon(
-        markers=_read_markers(read_yaml(folder / "markers.yaml")),
+        markers=_read_markers(read_yaml(join(folder, "markers.yaml"))),
         templates=templates,
         someone=someone,
-        adjectives=_read_concepts(read_yaml(folder / "adjectives.yaml"), verbs=False),
-        verbs=_read_concepts(read_yaml(folder / "verbs.yaml"), verbs=True),
-        grammar=read_grammar(read_yaml(folder / "grammar.yaml")),
+        adjectives=_read_concepts(read_yaml(join(folder, "adjectives.yaml")), verbs=False),
+        verbs=_read_concepts(read_yaml(join(folder, "verbs.yaml")), verbs=True),
+        grammar=read_grammar(read_yaml(join(folder, "grammar.yaml"))),
     )
 
 
-def load_style(folder: Path, name: str) -> Style:
+def load_style(folder: str | PathLike[str], name: str) -> Style:
     """Read the style file `name`.yaml of a folder."""
-    return read_style(read_yaml(folder / f"{name}.yaml"))
+    return read_style(read_yaml(join(folder, f"{name}.yaml")))
 
 
 def _read_markers(node: Node) -> dict[str, tuple[Marker, ...]]:

@@ -7,7 +7,7 @@ refused here, because a word list that holds "no" must hold the word.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from pathlib import Path
+from os import PathLike
 from typing import Any
 
 import yaml
@@ -15,7 +15,7 @@ import yaml
 from personage_lite.errors import DataError, PersonageError, nearest, shown
 
 # The C parser is several times faster; a machine without libyaml still works.
-_Loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+_Base: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 _STR = "tag:yaml.org,2002:str"
 _INT = "tag:yaml.org,2002:int"
 _FLOAT = "tag:yaml.org,2002:float"
@@ -24,6 +24,26 @@ _NULL = "tag:yaml.org,2002:null"
 # The parser recurses, and the C one dies of what is nested too deep. A file with fewer of the
 # characters that can nest anything than `_HARMLESS` need not be looked through for it.
 _NESTING, _HARMLESS, _DEEPEST = "[{-?", 3000, 100
+
+
+class _Loader(_Base):  # type: ignore[misc]
+    """The safe loader without path resolvers, of which nobody uses any: a fifth faster."""
+
+    def descend_resolver(self, current_node: object, current_index: object) -> None:
+        """Nothing depends on where a value stands."""
+
+    def ascend_resolver(self) -> None:
+        """As above."""
+
+    def resolve(self, kind: type, value: str, implicit: tuple[bool, bool]) -> str:
+        """Return a value's tag by its looks, as YAML 1.1 says."""
+        if kind is yaml.ScalarNode:
+            if implicit[0]:
+                for tag, looks in self.yaml_implicit_resolvers.get(value[:1], ()):
+                    if looks.match(value):
+                        return str(tag)
+            return _STR
+        return "tag:yaml.org,2002:seq" if kind is yaml.SequenceNode else "tag:yaml.org,2002:map"
 
 
 class Node:
@@ -58,7 +78,10 @@ class Node:
                 raise self.fault("expected 'key: value' pairs", "write one 'key: value' a line")
             found: dict[str, Node] = {}
             for key, value in self._node.value:
-                name = Node(key, self.file).text()
+                if key.tag == _STR and isinstance(key, yaml.ScalarNode) and key.value:
+                    name = str(key.value)
+                else:
+                    name = Node(key, self.file).text()
                 if name in found:
                     raise DataError(
                         self.file,
@@ -213,14 +236,15 @@ class Node:
         return int(number)
 
 
-def read_yaml(path: Path, shown: str | None = None) -> Node:
+def read_yaml(path: str | PathLike[str], shown: str | None = None) -> Node:
     """Parse one YAML file into a `Node`; `shown` is how error messages name the file.
 
     Raises `PersonageError` if the file cannot be read and `DataError` if it is not YAML.
     """
     name = shown or str(path)
     try:
-        content = path.read_bytes().decode("utf-8")
+        with open(path, "rb") as file:
+            content = file.read().decode("utf-8")
     except OSError as error:
         raise PersonageError(f"{name}: cannot be read ({error.strerror}); check the path") from None
     except UnicodeDecodeError as error:

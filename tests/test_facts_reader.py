@@ -15,7 +15,7 @@ from personage_lite.errors import DataError, PersonageError
 from personage_lite.facts_reader import character_files, find_character, identifier, read_character
 from tests.mutation import check_message, spoilt
 
-SHIPPED = data_folder("facts") / "wonderland"
+SHIPPED = Path(data_folder("facts")) / "wonderland"
 ALICE = (SHIPPED / "alice.yaml").read_text("utf-8")
 ENTITIES = (SHIPPED / "entities.yaml").read_text("utf-8")
 HEAD = "about: a\nentities:\n  a: {name: Ann}\n  b: {name: Bob}\nfacts:\n"

@@ -18,7 +18,7 @@ from personage_lite.lexicon import load_lexicon, load_style
 from personage_lite.style import check_overrides, check_x
 from tests.mutation import check_message, spoilt
 
-SHIPPED = data_folder("lexicons")
+SHIPPED = Path(data_folder("lexicons"))
 STYLE = f"{DEFAULT_STYLE}.yaml"
 FILES = {path.name: path.read_text("utf-8") for path in sorted(SHIPPED.glob("*.yaml"))}
 

@@ -16,12 +16,10 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Print one line a character."""
-    from pathlib import Path
-
     from personage_lite.data import data_folder
     from personage_lite.facts_reader import character_files, read_character
 
-    place = data_folder("facts") if arguments.facts is None else Path(arguments.facts)
+    place = data_folder("facts") if arguments.facts is None else arguments.facts
     found = [read_character(path) for path in character_files(place).values()]
     width = max(len(character.entity.id) for character in found)
     for character in found:

@@ -19,11 +19,9 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Print what was checked; raise if there is any fault."""
-    from pathlib import Path
-
     from personage_lite.checks import check_all, check_path
 
-    report = check_all() if arguments.path is None else check_path(Path(arguments.path))
+    report = check_all() if arguments.path is None else check_path(arguments.path)
     for fault in report.faults:
         print(fault)
     print(f"{report.checked}: {len(report.faults) or 'no'} fault{'s'[: len(report.faults) != 1]}")

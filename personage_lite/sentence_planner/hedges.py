@@ -265,8 +265,8 @@ def negation(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> Sen
             continue
         if not isinstance(said, AdjectivePhrase) or said.adverbs or clause.marks:
             continue
-        if _someone(clause):
-            continue
+        if clause.frame is not None:
+            continue  # not "I love how she isn't dull"
         concept = lexicon.adjectives.get(said.adjective)
         if concept is None or not concept.antonyms:
             continue

@@ -63,18 +63,20 @@ def filled_pauses(
     for index, clause in enumerate(plan.clauses):
         if clause.link not in ("main", "coordinate") or not pause_fits(clause):
             continue
-        opening = index == 0 and not plan.first and not plan.openers and opener_fits(plan)
+        places = ["pause"]
+        if index == 0 and opener_fits(plan):
+            places.append("answer" if plan.answers else "pause" if plan.first else "opener")
         able = tuple(
             marker
             for marker in lexicon.markers["filled_pauses"]
-            if (marker.place == "pause" or opening)
+            if marker.place in places
             # Nobody gropes for words and stresses them at once.
             and not (marker.lean < 0 and EMPHASIZED in clause.marks)
         )
         marker = rng.marker(able)
         if marker is None:
             continue
-        if marker.place == "opener":
+        if marker.place != "pause":
             return with_opener(plan, marker)
         paused = clause.clause._replace(interruption=marker.text)
         marks = (*clause.marks, HEDGED) if marker.lean < 0 else clause.marks
