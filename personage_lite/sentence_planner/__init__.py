@@ -18,7 +18,7 @@ from personage_lite.realizer.specification import Sentence
 from personage_lite.sentence_planner import hedges, speech
 from personage_lite.sentence_planner.aggregation import COMPETING
 from personage_lite.sentence_planner.assembly import assemble
-from personage_lite.sentence_planner.joining import Joint, Pair
+from personage_lite.sentence_planner.joining import Joint, Pair, plain
 from personage_lite.sentence_planner.lexical_choice import LexicalChoice
 from personage_lite.sentence_planner.referring_expressions import ReferringExpressions
 from personage_lite.sentence_planner.templates import lead_text, select_templates
@@ -116,7 +116,8 @@ def aggregate(
 
 def _join(pair: Pair, index: int, turn: Turn) -> tuple[Joint, list[Decision]]:
     decisions: list[Decision] = []
-    able = list(COMPETING[pair.link.kind])
+    both_plain = plain(pair.last) and plain(pair.right)
+    able = [joiner for joiner in COMPETING[pair.link.kind] if both_plain or not joiner.embedding]
     target = f"{pair.link.kind} {index + 1}"
     while able:
         weights = [joiner.factor * turn.parameters[joiner.name] for joiner in able]

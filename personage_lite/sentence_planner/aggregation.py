@@ -234,12 +234,14 @@ def merge_with_comma(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joi
 class Joiner(NamedTuple):
     """An aggregation operator that competes for a relation.
 
-    `name` is its style parameter, whose value times `factor` is its weight in the draw.
+    `name` is its style parameter, whose value times `factor` is its weight in the draw. One that
+    is `embedding` moves a clause into another, and competes only where both are plain.
     """
 
     name: str
     apply: PairRewrite
     factor: float = 1.0
+    embedding: bool = False
 
 
 # For each relation, the operators that compete for it.
@@ -248,16 +250,16 @@ COMPETING: dict[str, tuple[Joiner, ...]] = {
     "infer": (
         Joiner("period", period),
         Joiner("conjunction", conjunction),
-        Joiner("merge", merge, 1.5),
-        Joiner("relative_clause", relative_clause),
-        Joiner("with_cue_word", with_cue_word),
+        Joiner("merge", merge, 1.5, embedding=True),
+        Joiner("relative_clause", relative_clause, embedding=True),
+        Joiner("with_cue_word", with_cue_word, embedding=True),
         Joiner("also_cue_word", also_cue_word),
     ),
     "elaboration": (
         Joiner("period", period, 0.6),
         Joiner("conjunction", conjunction, 0.6),
-        Joiner("relative_clause", relative_clause, 1.5),
-        Joiner("with_cue_word", with_cue_word),
+        Joiner("relative_clause", relative_clause, 1.5, embedding=True),
+        Joiner("with_cue_word", with_cue_word, embedding=True),
     ),
     "contrast": (
         Joiner("contrast_cue_word", contrast_cue_word),
