@@ -3,7 +3,7 @@
 For each page, in the order of its blocks: a ```yaml block that begins with `# file: PATH` is
 written to PATH; in a ```console block each `$ personage-lite …` line is run and must print the
 lines below it and exit with 0, or with N where the line ends in `# exits N`. Lines of other
-programs are skipped. In what is shown, a line `…` stands for any lines left out, and ` …` at a
+programs are skipped. A ```python block must run. In what is shown, a line `…` stands for any lines left out, and ` …` at a
 line's end for the rest of that line. `pytest tests/test_docs.py --update` rewrites the outputs.
 """
 
@@ -38,6 +38,7 @@ def _pages() -> list[Path]:
 def test_the_page_shows_what_the_commands_print(path: Path, tmp_path: Path, update: bool) -> None:
     for shipped in ("facts", "lexicons"):
         shutil.copytree(ROOT / shipped, tmp_path / shipped)
+    shutil.copytree(ROOT / "lexicons", tmp_path / "mylexicons")  # the pages' `cp -r`
     page = path.read_bytes().decode("utf-8")
     updated, faults = run_page(page, tmp_path)
     if update and updated != page:
@@ -69,10 +70,22 @@ def run_page(page: str, folder: Path) -> tuple[str, list[str]]:
         elif fence == "```console":
             shown, found = _run_block(body, start + 1, folder)
             faults += found
+        elif fence == "```python":
+            faults += _run_python(body, start + 1, folder)
         # Past blocks can have grown or shrunk: keep `done` and `lines` side by side.
         lines[start : start + len(body)] = shown
         done += [*shown, "```"]
     return "\n".join(done), faults
+
+
+def _run_python(body: list[str], first: int, folder: Path) -> list[str]:
+    """Run an example; what it raises is a fault."""
+    environment = {**os.environ, "PYTHONPATH": str(ROOT), "PYTHONUTF8": "1"}
+    command = [sys.executable, "-c", "\n".join(body)]
+    done = subprocess.run(
+        command, cwd=folder, env=environment, check=False, capture_output=True, text=True
+    )
+    return [f"line {first}: {done.stderr}"] if done.returncode else []
 
 
 def _write(body: list[str], folder: Path) -> None:
@@ -253,3 +266,9 @@ def test_an_update_cuts_as_before() -> None:
     assert recut(["a", CUT], ["1"]) == ["1", CUT]
     old, new = '{"text": "a, b", "x": 1, …', '{"text": "c, d", "x": 2, "seed": 7}'
     assert recut([old], [new]) == ['{"text": "c, d", "x": 2, …']
+
+
+def test_python_is_run(tmp_path: Path) -> None:
+    page = "\n".join(["```python", "import personage_lite", "```"])
+    assert run_page(page, tmp_path) == (page, [])
+    assert len(run_page(page.replace("lite", "heavy"), tmp_path)[1]) == 1

@@ -41,7 +41,7 @@ def _s_form(word: str) -> str:
 
 
 def inflect_verb(lemma: str, form: VerbForm, grammar: Grammar) -> str:
-    """Return the form of a verb; `be` has more of its own, see `finite_be` in syntax."""
+    """Return the form of a verb; `be` has more of its own, see `verb_group`."""
     if form == "base":
         return lemma
     if form == "third":

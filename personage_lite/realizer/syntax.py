@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from personage_lite.realizer.grammar import Grammar
-from personage_lite.realizer.morphology import VerbForm, inflect_verb, pluralize, stutter
+from personage_lite.realizer.morphology import pluralize, stutter
 from personage_lite.realizer.orthography import INDEFINITE
 from personage_lite.realizer.specification import (
     AdjectivePhrase,
@@ -17,22 +17,7 @@ from personage_lite.realizer.specification import (
     Subordinate,
     Text,
 )
-
-# What agrees with a clause that has no subject of its own.
-_NOBODY = NounPhrase("")
-
-
-class VerbGroup:
-    """The verb words of one clause: the finite one, those after it, and whether it inverts."""
-
-    __slots__ = ("auxiliary", "finite", "lexical", "rest")
-
-    def __init__(self, finite: str, rest: list[str], auxiliary: bool, lexical: str) -> None:
-        self.finite = finite
-        self.rest = rest
-        # An auxiliary (or be) takes "not" and inverts by itself; other verbs need "do".
-        self.auxiliary = auxiliary
-        self.lexical = lexical
+from personage_lite.realizer.verb_group import NOBODY, VerbGroup, verb_group
 
 
 def pronoun_row(phrase: NounPhrase) -> str:
@@ -51,60 +36,6 @@ class Syntax:
 
     def __init__(self, grammar: Grammar) -> None:
         self.grammar = grammar
-
-    # Verbs
-
-    def finite_be(self, subject: NounPhrase, past: bool) -> str:
-        """Return am, are, is, was or were."""
-        forms = self.grammar.be
-        plural = subject.number == "plural" or subject.person == 2
-        if past:
-            return forms["past_other" if plural else "past_singular"]
-        if plural:
-            return forms["present_other"]
-        return forms["present_first" if subject.person == 1 else "present_third"]
-
-    def finite(self, lemma: str, subject: NounPhrase, past: bool) -> str:
-        """Return a verb's finite form, agreeing with its subject."""
-        if lemma == "be":
-            return self.finite_be(subject, past)
-        if past:
-            return inflect_verb(lemma, "past", self.grammar)
-        third = subject.person == 3 and subject.number == "singular"
-        return inflect_verb(lemma, "third" if third else "base", self.grammar)
-
-    def verb_group(self, clause: Clause, emphatic: bool = False) -> VerbGroup:
-        """Return the clause's verb words; `emphatic` asks for do-support."""
-        subject = clause.subject or _NOBODY
-        past = clause.tense == "past"
-        modal = clause.modal or ("will" if clause.tense == "future" else "")
-        lemmas: list[tuple[str, VerbForm]] = []  # each with the form it gives the next one
-        if clause.perfect:
-            lemmas.append(("have", "participle"))
-        if clause.progressive:
-            lemmas.append(("be", "gerund"))
-        if clause.passive:
-            lemmas.append(("be", "participle"))
-        if not modal and not lemmas:
-            if clause.verb != "be" and emphatic:
-                return VerbGroup(self.finite("do", subject, past), [clause.verb], True, clause.verb)
-            finite = self.finite(clause.verb, subject, past)
-            return VerbGroup(finite, [], clause.verb == "be", clause.verb)
-        rest = []
-        form: VerbForm = "base"
-        if not modal:
-            first, form = lemmas.pop(0)
-            modal = self.finite(first, subject, past)
-        for lemma, next_form in lemmas:
-            rest.append(self._form(lemma, form))
-            form = next_form
-        rest.append(self._form(clause.verb, form))
-        return VerbGroup(modal, rest, True, clause.verb)
-
-    def _form(self, lemma: str, form: VerbForm) -> str:
-        if lemma == "be" and form == "gerund":
-            return "being"
-        return inflect_verb(lemma, form, self.grammar)
 
     # Phrases
 
@@ -208,7 +139,7 @@ class Syntax:
         """Add all of a clause that follows its subject, but for subordinate clauses."""
         negator = clause.negator if clause.negated else ""
         plain_not = negator == "not"
-        group = self.verb_group(clause, emphatic=plain_not)
+        group = verb_group(clause, self.grammar, emphatic=plain_not)
         if clause.negated and clause.emphasizers:
             out.extend(clause.emphasizers)
             after_pronoun = False
@@ -303,11 +234,11 @@ class Syntax:
 
     def tag(self, out: list[str], clause: Clause) -> None:
         """Add the tag question that agrees with a clause: "isn't she?", "did they?"."""
-        subject = clause.subject or _NOBODY
+        subject = clause.subject or NOBODY
         if subject.noun in self.grammar.plural_in_tags and not subject.pronoun:
             subject = subject._replace(number="plural")
             clause = clause._replace(subject=subject)
-        finite = self.verb_group(clause, emphatic=True).finite
+        finite = verb_group(clause, self.grammar, emphatic=True).finite
         if not self._sounds_negative(clause):
             finite = (
                 self.grammar.tag_negatives.get(finite)
