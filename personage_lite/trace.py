@@ -51,7 +51,8 @@ def _applied(decision: Decision) -> list[str]:
     chance = f"drew {decision.draw:.2f} of {decision.probability:.2f}"
     if decision.stage == "aggregation" or decision.operator == "lexical_choice":
         chance = f"chance {decision.probability:.2f}"
-    lines = [f"    {decision.operator} ({decision.target}, {chance})"]
+    where = f"{decision.target}, " if decision.target else ""
+    lines = [f"    {decision.operator} ({where}{chance})"]
     if decision.before or decision.after:
         lines.append(f"      {decision.before}")
         lines.append(f"      → {decision.after}")

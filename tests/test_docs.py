@@ -4,7 +4,8 @@ For each page, in the order of its blocks: a ```yaml block that begins with `# f
 written to PATH; in a ```console block each `$ personage-lite …` line is run and must print the
 lines below it and exit with 0, or with N where the line ends in `# exits N`. Lines of other
 programs are skipped. A ```python block must run. In what is shown, a line `…` stands for any
-lines left out, and ` …` at a line's end for the rest of that line. `pytest tests/test_docs.py --update` rewrites the outputs.
+lines left out, and ` …` at a line's end for the rest of that line. With `--update` the outputs are
+rewritten.
 """
 
 from __future__ import annotations

@@ -47,7 +47,7 @@ _MOST_MERGED = 3
 
 
 def period(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | None:
-    """Leave two sentences; where one is the ground of a contrast, that would lose the relation."""
+    """Leave two sentences."""
     return (pair.left, SentencePlan((pair.right,)))
 
 
