@@ -86,6 +86,7 @@ def check_facts(place: str | PathLike[str]) -> Report:
 
 def _content_faults(character: Character, lexicon: Lexicon) -> list[DataError]:
     """Find facts said twice, facts that contradict each other, and relations said twice."""
+    realizer = Realizer(lexicon.grammar)
     faults = []
     seen: dict[object, tuple[bool, str]] = {}
     for fact in character.facts:
@@ -112,7 +113,7 @@ def _content_faults(character: Character, lexicon: Lexicon) -> list[DataError]:
                     nearest(modal, lexicon.grammar.modals),
                 )
             )
-        text = Realizer(lexicon.grammar).realize(Sentence(fact.clause))
+        text = realizer.realize(Sentence(fact.clause))
         if "  " in text or " ," in text:
             faults.append(
                 DataError(character.file, fact.line, f"'{fact.id}' reads: {text}", "mend its words")

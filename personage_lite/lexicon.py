@@ -166,7 +166,7 @@ def _marker(item: Node, kind: str, places: tuple[str, ...]) -> Marker:
         after=item.choice_of("after", (",", "!", "?", "…", "."), ""),
         lean=item.number_of("lean", -1, 1, 0.0),
         weight=item.number_of("weight", 0, 100, 1.0),
-        attach=item.need("attach").choice(ATTACHMENTS) if cue else item.text_of("attach"),
+        attach=item.need("attach").choice(ATTACHMENTS) if cue else "",
         role=item.choice_of("role", ("nucleus", "satellite"), ""),
         own_subject=item.flag_of("own_subject"),
         verbs=item.texts_of("verbs"),

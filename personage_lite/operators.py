@@ -25,10 +25,10 @@ _WORN = 0.25
 class OperatorDraws:
     """The random numbers of one operator at one place, and weighted choices with them.
 
-    It knows X and the conversation so that words suit the speaker and are not worn out.
+    Its choices weigh X and the conversation: words suit the speaker and are not worn out.
     """
 
-    __slots__ = ("_draws", "_pull", "_scope", "_used", "_worn", "rating", "x")
+    __slots__ = ("_draws", "_pull", "_scope", "_used", "_worn", "rating")
 
     def __init__(
         self,
@@ -44,7 +44,6 @@ class OperatorDraws:
         self._worn = state.worn
         self._pull = _PULL * x
         self._used = used
-        self.x = x
         self.rating = rating
 
     def uniform(self, name: str) -> float:

@@ -11,7 +11,7 @@ from personage_lite.state import ConversationState
 Role: TypeAlias = Literal["assertion", "repetition", "restatement"]
 Status: TypeAlias = Literal["applied", "not_applicable", "not_drawn"]
 LinkKind: TypeAlias = Literal[
-    "main", "coordinate", "subordinate", "fronted", "relative", "object_relative", "with", "restate"
+    "main", "coordinate", "subordinate", "fronted", "relative", "object_relative"
 ]
 
 
@@ -66,7 +66,6 @@ class ContentPlan(NamedTuple):
 class Frame(NamedTuple):
     """The template a clause is said in: a lead with "that" or "how", or "someone who"."""
 
-    template: str
     form: str
     lead: Text | None
     complementizer: str = ""

@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
-from personage_lite import english
-from personage_lite.facts import Character
+from personage_lite.generator import Generator
 from personage_lite.plan import Decision, Utterance
 from personage_lite.realizer.specification import Sentence
 from personage_lite.style import STAGES
 
 
-def explain(utterance: Utterance, character: Character) -> str:
-    """Return the trace of an utterance as indented text, a stage at a time.
+def explain(utterance: Utterance, generator: Generator) -> str:
+    """Return the trace of a generator's utterance as indented text, a stage at a time.
 
     Rewrites are shown before and after if the utterance was generated with `trace=True`.
     """
-    realizer = english()
+    realizer = generator.realizer
+    name = generator.character(utterance.character).entity.name
     lines = [
-        f"  {character.entity.name}, X = {utterance.x:g}, seed {utterance.seed}, "
-        f"turn {utterance.turn + 1}",
+        f"  {name}, X = {utterance.x:g}, seed {utterance.seed}, turn {utterance.turn + 1}",
         "  facts chosen:",
     ]
     for message in utterance.plan.messages:

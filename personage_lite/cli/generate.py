@@ -100,7 +100,7 @@ def run(arguments: argparse.Namespace) -> None:
             from personage_lite.trace import explain
 
             out = sys.stderr if arguments.format == "json" else sys.stdout
-            say(explain(utterance, generator.character(arguments.character)), out)
+            say(explain(utterance, generator), out)
 
 
 def _say(text: str, out: TextIO) -> None:

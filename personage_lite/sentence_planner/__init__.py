@@ -15,7 +15,7 @@ from personage_lite.operators import Operator, Turn, run_operators
 from personage_lite.plan import ClausePlan, ContentPlan, Decision, Link, SentencePlan, Status
 from personage_lite.randomness import pick
 from personage_lite.realizer.specification import Sentence
-from personage_lite.sentence_planner import hedges, speech
+from personage_lite.sentence_planner import hedges, rewording, speech
 from personage_lite.sentence_planner.aggregation import COMPETING
 from personage_lite.sentence_planner.assembly import assemble
 from personage_lite.sentence_planner.joining import Joint, Pair, plain
@@ -26,8 +26,8 @@ from personage_lite.sentence_planner.templates import lead_text, select_template
 # The order in which pragmatic markers are offered: what changes a clause comes before what
 # stands around the sentence, for the latter looks at the former.
 PRAGMATIC_MARKERS: tuple[Operator, ...] = (
-    Operator("subject_implicitness", hedges.subject_implicitness, limit=2),
-    Operator("negation", hedges.negation, limit=1),
+    Operator("subject_implicitness", rewording.subject_implicitness, limit=2),
+    Operator("negation", rewording.negation, limit=1),
     Operator("weakened_positive_content", hedges.weakened_positive_content, limit=2),
     Operator("softener_hedges", hedges.softener_hedges, limit=1),
     Operator("informal_softeners", hedges.informal_softeners, limit=1),
@@ -72,9 +72,9 @@ def plan_sentences(
     decisions += joined
     sentences = with_openings(sentences, plan, character, turn)
     decisions += run_operators(sentences, operators, "pragmatic_markers", turn)
-    words = LexicalChoice(turn.parameters, turn.draws, turn.state, turn.lexicon)
+    words = LexicalChoice(turn)
     sentences = [words.sentence(sentence, index) for index, sentence in enumerate(sentences)]
-    referring = ReferringExpressions(character, turn.parameters, turn.draws, turn.state)
+    referring = ReferringExpressions(character, turn)
     sentences = [referring.sentence(sentence) for sentence in sentences]
     decisions += words.decisions + referring.decisions
     facts = [fact for sentence in sentences for part in sentence.clauses for fact in part.facts]

@@ -68,7 +68,7 @@ def merge(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | None:
     last, right = pair.last, pair.right
     if last.clause.verb != right.clause.verb or last.link != "main":
         return None
-    if not (plain(last) and plain(right) and same_subject(last, right)):
+    if not same_subject(last, right):
         return None
     if opposed(last, right) or _shell(last.clause) != _shell(right.clause):
         return None
@@ -114,7 +114,7 @@ def relative_clause(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Join
     The describing clause (be, have) becomes the relative one; an elaboration always does.
     """
     left, last, right = pair.left, pair.last, pair.right
-    if len(left.clauses) > 1 or not (plain(last) and plain(right)):
+    if len(left.clauses) > 1:
         return None
     subject = right.clause.subject
     if subject is None or not subject.entity:
@@ -149,7 +149,7 @@ def _last_mention(clause: Clause) -> str:
 def with_cue_word(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | None:
     """Say a possession after "with": "The White Rabbit is small, with pink eyes"."""
     left, last, right = pair.left, pair.last, pair.right
-    if len(left.clauses) > 1 or not (plain(last) and plain(right)) or last.clause.asides:
+    if len(left.clauses) > 1 or last.clause.asides:
         return None
     if last.clause.verb != "be" or right.clause.negated or last.topic != right.topic:
         return None
@@ -235,7 +235,7 @@ class Joiner(NamedTuple):
     """An aggregation operator that competes for a relation.
 
     `name` is its style parameter, whose value times `factor` is its weight in the draw. One that
-    is `embedding` moves a clause into another, and competes only where both are plain.
+    is `embedding` moves a clause into another: it is offered only pairs that are both `plain`.
     """
 
     name: str

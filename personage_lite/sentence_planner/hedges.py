@@ -15,8 +15,6 @@ from personage_lite.realizer.specification import AdjectivePhrase, Opener, Phras
 SOFTENED, EMPHASIZED = "softened", "emphasized"
 # Said with a doubt around it: no second doubt there, and nothing loud.
 HEDGED = "hedged"
-# The adjective is a word already, not a concept.
-ANTONYM = "antonym"
 _MOST_OPENERS = 1
 # Operators look at the clauses in the order they are spoken and change the first that fits.
 _SAID = ("main", "coordinate", "subordinate", "fronted")
@@ -40,7 +38,8 @@ def with_opener(plan: SentencePlan, marker: Marker) -> SentencePlan:
     return plan._replace(openers=(opener, *plan.openers), words=(*plan.words, marker.text))
 
 
-def _unhedged(clause: ClausePlan) -> bool:
+def unhedged(clause: ClausePlan) -> bool:
+    """Whether a clause is neither weakened nor stressed yet."""
     return SOFTENED not in clause.marks and EMPHASIZED not in clause.marks
 
 
@@ -49,7 +48,7 @@ def doubtful(plan: SentencePlan) -> bool:
     return any(SOFTENED in clause.marks or HEDGED in clause.marks for clause in plan.clauses)
 
 
-def _degree_fits(clause: ClausePlan) -> bool:
+def degree_fits(clause: ClausePlan) -> bool:
     """Whether a degree adverb can stand before the clause's adjective."""
     said = clause.clause.complement
     return (
@@ -94,7 +93,7 @@ def softened(
 ) -> SentencePlan | None:
     """Weaken one clause with one of the markers that fit it."""
     for index, clause in enumerate(plan.clauses):
-        if clause.link not in _SAID or not _unhedged(clause):
+        if clause.link not in _SAID or not unhedged(clause):
             continue
         places, verb = _soft_places(plan, index, lexicon), clause.clause.verb
         marker = rng.marker(
@@ -120,7 +119,7 @@ def softened(
             paused = clause.clause._replace(interruption=marker.text)
             changed = clause._replace(clause=paused, marks=(*clause.marks, SOFTENED))
         else:
-            frame = Frame(marker.text, "clause", Text((marker.text,)), "", inner_tag=True)
+            frame = Frame("clause", Text((marker.text,)), inner_tag=True)
             changed = clause._replace(frame=frame, marks=(*clause.marks, SOFTENED))
         return replaced(plan, index, changed, marker.text)
     return None
@@ -130,7 +129,7 @@ def _soft_places(plan: SentencePlan, index: int, lexicon: Lexicon) -> set[str]:
     """Return where in a clause a softener can stand."""
     clause = plan.clauses[index]
     places = set()
-    if _degree_fits(clause) and not _someone(clause):
+    if degree_fits(clause) and not _someone(clause):
         places.add("degree")
     if pause_fits(clause):
         places.add("pause")
@@ -190,7 +189,7 @@ def weakened_positive_content(
     for index, clause in enumerate(plan.clauses):
         if _someone(clause) or clause.polarity != "good":
             continue
-        if _unhedged(clause) and _degree_fits(clause):
+        if unhedged(clause) and degree_fits(clause):
             marker = rng.marker(lexicon.markers["weakened_positive_content"])
             if marker is None:
                 return None
@@ -203,7 +202,7 @@ def emphasizer_hedges(
 ) -> SentencePlan | None:
     """Stress a proposition: "really", "just", "so curious"; never a lukewarm one."""
     for index, clause in enumerate(plan.clauses):
-        if clause.link not in _SAID or not _unhedged(clause) or clause.strength == "somewhat":
+        if clause.link not in _SAID or not unhedged(clause) or clause.strength == "somewhat":
             continue
         if HEDGED in clause.marks:
             continue
@@ -232,7 +231,7 @@ def _stress_places(plan: SentencePlan, index: int) -> set[str]:
     clause = plan.clauses[index]
     spec = clause.clause
     places = set()
-    if _degree_fits(clause):
+    if degree_fits(clause):
         places.add("degree")
     if index == 0 and not plan.first and opener_fits(plan):
         if isinstance(spec.complement, AdjectivePhrase) and clause.frame is None:
@@ -253,44 +252,3 @@ def _is_adverb(phrase: Phrase) -> bool:
         return False
     word = phrase.parts[0]
     return isinstance(word, str) and " " not in word
-
-
-def negation(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> SentencePlan | None:
-    """Say an attribute through its negated antonym: "isn't dull"; not where it is a reason."""
-    if len(plan.clauses) > 1:
-        return None
-    for index, clause in enumerate(plan.clauses):
-        said = clause.clause.complement
-        if clause.clause.negated or clause.clause.degree or clause.role != "assertion":
-            continue
-        if not isinstance(said, AdjectivePhrase) or said.adverbs or clause.marks:
-            continue
-        if clause.frame is not None:
-            continue  # not "I love how she isn't dull"
-        concept = lexicon.adjectives.get(said.adjective)
-        if concept is None or not concept.antonyms:
-            continue
-        antonym = rng.choose("antonym", concept.antonyms, [1.0] * len(concept.antonyms))
-        opposite = clause.clause._replace(complement=AdjectivePhrase(antonym), negated=True)
-        marks = (*clause.marks, ANTONYM)
-        changed = clause._replace(clause=opposite, gradable=False, marks=marks)
-        return replaced(plan, index, changed, antonym)
-    return None
-
-
-def subject_implicitness(
-    plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon
-) -> SentencePlan | None:
-    """Name the attribute, not its owner: "the hair is long", where the owner was the subject."""
-    before = plan.subject_before
-    for index, clause in enumerate(plan.clauses):
-        subject = clause.clause.subject
-        if subject is None:
-            continue
-        owner = subject.possessor
-        if owner is not None and owner.entity == before and clause.frame is None:
-            implicit = subject._replace(possessor=None, determiner="the")
-            changed = clause._replace(clause=clause.clause._replace(subject=implicit))
-            return replaced(plan, index, changed, "subject_implicitness")
-        before = subject.entity
-    return None

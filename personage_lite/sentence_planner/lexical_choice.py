@@ -9,9 +9,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import exp
 
-from personage_lite.lexicon import Concept, Lexicon, Word
+from personage_lite.lexicon import Concept, Word
+from personage_lite.operators import Turn
 from personage_lite.plan import ClausePlan, Decision, SentencePlan, Status
-from personage_lite.randomness import Draws, pick
+from personage_lite.randomness import pick
 from personage_lite.realizer.specification import (
     AdjectivePhrase,
     Cased,
@@ -20,8 +21,7 @@ from personage_lite.realizer.specification import (
     Phrase,
     Text,
 )
-from personage_lite.sentence_planner.hedges import ANTONYM
-from personage_lite.state import ConversationState
+from personage_lite.sentence_planner.rewording import ANTONYM
 
 STAGE = "lexical_choice"
 # How strongly each property of a word counts, per unit that its parameter is off the middle.
@@ -32,21 +32,16 @@ _WORN = 0.4
 class LexicalChoice:
     """Chooses words for one utterance; the same concept gets the same word throughout it."""
 
-    def __init__(
-        self,
-        parameters: dict[str, float],
-        draws: Draws,
-        state: ConversationState,
-        lexicon: Lexicon,
-    ) -> None:
+    def __init__(self, turn: Turn) -> None:
+        parameters = turn.parameters
         self._frequency = _FREQUENCY * (parameters["lexicon_frequency"] - 0.5)
         self._length = _LENGTH * (parameters["lexicon_word_length"] - 0.5)
         self._strength = _STRENGTH * (parameters["verb_strength"] - 0.5)
         self._emotion = _EMOTION * (parameters["positive_emotion_words"] - 0.5)
         self._contractions = parameters["contractions"]
-        self._draws = draws
-        self._state = state
-        self._lexicon = lexicon
+        self._draws = turn.draws
+        self._worn = turn.state.worn
+        self._lexicon = turn.lexicon
         self._chosen: dict[str, Word] = {}
         self.decisions: list[Decision] = []
         self.words: list[str] = []
@@ -63,7 +58,7 @@ class LexicalChoice:
             )
             for word in words
         ]
-        worn = self._state.worn
+        worn = self._worn
         if worn:
             for index, word in enumerate(words):
                 weights[index] *= _WORN ** worn.get(word.text, 0)
@@ -129,10 +124,9 @@ class LexicalChoice:
         if concept is not None and not clause.particle:
             word = self.word(concept, verb=True)
             changes["verb"], changes["particle"] = word.text, word.particle
-        if ANTONYM in plan.marks:
-            pass
-        elif isinstance(clause.complement, AdjectivePhrase | Coordination):
-            changes["complement"] = self.phrase(clause.complement, plan.role == "restatement")
+        said = clause.complement
+        if ANTONYM not in plan.marks and isinstance(said, AdjectivePhrase | Coordination):
+            changes["complement"] = self.phrase(said, plan.role == "restatement")
         if clause.asides:
             changes["asides"] = tuple(self._aside(aside) for aside in clause.asides)
         return plan._replace(clause=clause._replace(**changes)) if changes else plan  # type: ignore[arg-type]

@@ -8,10 +8,9 @@ Joshi & Weinstein 1995; Reiter & Dale 2000, section 5.4).
 from __future__ import annotations
 
 from personage_lite.facts import Character, Entity
+from personage_lite.operators import Turn
 from personage_lite.plan import ClausePlan, Decision, SentencePlan
-from personage_lite.randomness import Draws
 from personage_lite.realizer.specification import Cased, Clause, NounPhrase, Phrase, Text
-from personage_lite.state import ConversationState
 
 STAGE = "referring_expressions"
 # Across turns a pronoun is rarer than within one.
@@ -23,17 +22,12 @@ _SHORT_AGAIN = 0.6
 class ReferringExpressions:
     """Chooses the forms of one utterance's mentions in the order in which they are heard."""
 
-    def __init__(
-        self,
-        character: Character,
-        parameters: dict[str, float],
-        draws: Draws,
-        state: ConversationState,
-    ) -> None:
+    def __init__(self, character: Character, turn: Turn) -> None:
+        state = turn.state
         self._entities = character.entities
         self._going_on = state.topic if state.topic == character.entity.id else ""
-        self._pronominalization = parameters["pronominalization"]
-        self._draws = draws
+        self._pronominalization = turn.parameters["pronominalization"]
+        self._draws = turn.draws
         self._known = state.introduced
         # Whom the sentence before, and this one so far, have mentioned.
         self._before: frozenset[str] = state.focus

@@ -12,33 +12,29 @@ from personage_lite.realizer.specification import Cased, Text
 from personage_lite.sentence_planner.hedges import (
     EMPHASIZED,
     HEDGED,
-    SOFTENED,
+    degree_fits,
     doubtful,
     hedged,
     opener_fits,
     pause_fits,
     replaced,
+    unhedged,
     with_degree,
     with_opener,
 )
 
 _TWICE = 0.3
+_BEFORE_ADJECTIVE = 0.5
 STUTTER = "stutter"
 
 
 def _opener(
     plan: SentencePlan, kind: str, places: tuple[str, ...], rng: OperatorDraws, lexicon: Lexicon
 ) -> SentencePlan | None:
-    """Put one of a kind's openers before a sentence, none that begins like one already there."""
+    """Put one of a kind's openers before a sentence."""
     if not opener_fits(plan):
         return None
-    taken = {opener.text.split(" ", 1)[0] for opener in plan.openers}
-    able = tuple(
-        marker
-        for marker in lexicon.markers[kind]
-        if marker.place in places and marker.text.split(" ", 1)[0] not in taken
-    )
-    marker = rng.marker(able)
+    marker = rng.marker([item for item in lexicon.markers[kind] if item.place in places])
     return None if marker is None else with_opener(plan, marker)
 
 
@@ -103,14 +99,10 @@ def _oath(
     if plan.fragment is not None or doubtful(plan):
         return None
     for index, clause in enumerate(plan.clauses):
-        bare = SOFTENED not in clause.marks and EMPHASIZED not in clause.marks
-        spec = clause.clause
-        if not (clause.gradable and bare and clause.role == "assertion"):
-            continue
-        if spec.negated or spec.degree or clause.strength == "somewhat":
+        if not (unhedged(clause) and degree_fits(clause)) or clause.strength == "somewhat":
             continue
         marker = rng.marker([m for m in lexicon.markers[kind] if m.place == "degree"])
-        if marker is not None and rng.uniform("degree") < 0.5:
+        if marker is not None and rng.uniform("degree") < _BEFORE_ADJECTIVE:
             return replaced(plan, index, with_degree(clause, marker.text, EMPHASIZED), marker.text)
     # Nobody gasps at what is neither good nor bad.
     if plan.clauses[0].polarity == "neutral" or plan.clauses[0].strength == "somewhat":
@@ -136,7 +128,7 @@ def competence_mitigation(
         return None
     if marker.place == "opener":
         return with_opener(hedged(plan), marker)
-    frame = Frame(marker.text, "clause", Text((marker.text,)), "", inner_tag=True)
+    frame = Frame("clause", Text((marker.text,)), inner_tag=True)
     return replaced(plan, 0, first._replace(frame=frame), marker.text)
 
 

@@ -87,7 +87,7 @@ def framed(plan: ClausePlan, template: Template, lexicon: Lexicon, topic: NounPh
         lead: Text | None = Text((who,))
     else:
         lead = lead_text(template.lead, topic)
-    frame = Frame(template.name, template.form, lead, template.complementizer, template.inner_tag)
+    frame = Frame(template.form, lead, template.complementizer, template.inner_tag)
     clause = plan.clause._replace(degree=True) if template.form == "degree" else plan.clause
     # What is sworn to is not hedged, nor stressed a second time.
     marks = plan.marks
