@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from personage_lite.generator import Generator
     from personage_lite.plan import Utterance
     from personage_lite.realizer import Realizer
+    from personage_lite.realizer.inflection import Dialect
     from personage_lite.state import ConversationState
 
 __version__ = "0.1.0"
@@ -28,8 +29,12 @@ __all__ = [
 ]
 
 
-def english() -> Realizer:
+def english(
+    dialect: Dialect = "british", *, oxford_comma: bool = False, curly_apostrophes: bool = False
+) -> Realizer:
     """Return a realizer with the shipped English grammar, for use alone.
+
+    `dialect` is "british" or "american": spelling, irregular verbs, dates and numbers.
 
     >>> from personage_lite.realizer import Clause, NounPhrase
     >>> english().realize(Clause("run", NounPhrase("rabbit", determiner="a")))
@@ -37,10 +42,10 @@ def english() -> Realizer:
     """
     from personage_lite.data import data_folder
     from personage_lite.realizer import Realizer
-    from personage_lite.realizer.grammar import read_grammar
-    from personage_lite.yaml_reader import read_yaml
+    from personage_lite.realizer.grammar import load_grammar
 
-    return Realizer(read_grammar(read_yaml(f"{data_folder('lexicons')}/grammar.yaml")))
+    folder = data_folder("lexicons")
+    return Realizer(load_grammar(folder, dialect, oxford_comma, curly_apostrophes))
 
 
 def __getattr__(name: str) -> object:

@@ -10,7 +10,7 @@ from os.path import join
 from typing import Literal, NamedTuple, TypeAlias
 
 from personage_lite.facts import POLARITIES
-from personage_lite.realizer.grammar import Grammar, read_grammar
+from personage_lite.realizer.grammar import Grammar, load_grammar
 from personage_lite.style import Style, read_style
 from personage_lite.yaml_reader import Node, read_yaml
 
@@ -135,7 +135,7 @@ def load_lexicon(folder: str | PathLike[str]) -> Lexicon:
         someone=someone,
         adjectives=_read_concepts(read_yaml(join(folder, "adjectives.yaml")), verbs=False),
         verbs=_read_concepts(read_yaml(join(folder, "verbs.yaml")), verbs=True),
-        grammar=read_grammar(read_yaml(join(folder, "grammar.yaml"))),
+        grammar=load_grammar(folder),
     )
 
 
@@ -181,7 +181,7 @@ def _read_templates(node: Node) -> tuple[dict[str, tuple[Template, ...]], dict[s
     """Return the templates by the parameter that makes them likelier, and the words "someone"."""
     templates: dict[str, tuple[Template, ...]] = {}
     for name, item in node.need("templates").items():
-        form = item.need("form").choice(("clause", "degree", "someone_who"))
+        form = item.need("form").choice(("clause", "exclamative", "someone_who"))
         parameter = item.need("parameter").text()
         template = Template(
             name=name,

@@ -121,7 +121,7 @@ class _Checker:
         bare = clause._replace(subordinates=(), asides=())
         if subject is not None and subject.relative is not None:
             about = subject._replace(relative=None)
-            yield from self._propositions(subject.relative._replace(subject=about), owner)
+            yield from self._propositions(subject.relative.clause._replace(subject=about), owner)
             bare = bare._replace(subject=about)
         for aside in clause.asides:
             yield _Heard(self._aside(aside, bare), _entity(subject))
@@ -130,11 +130,12 @@ class _Checker:
                 for part in phrase.parts:
                     if isinstance(part, Cased) and part.phrase.relative is not None:
                         about = part.phrase._replace(relative=None)
-                        inner = part.phrase.relative._replace(subject=about)
+                        inner = part.phrase.relative.clause._replace(subject=about)
                         yield from self._propositions(inner, owner)
         said = clause.complement
-        if isinstance(said, NounPhrase) and said.relative is not None and said.restrictive:
-            yield from self._propositions(said.relative._replace(subject=bare.subject), owner)
+        described = said.relative if isinstance(said, NounPhrase) else None
+        if described is not None and described.restrictive:
+            yield from self._propositions(described.clause._replace(subject=bare.subject), owner)
         elif isinstance(said, Coordination):
             for item in said.items:
                 yield _Heard(bare._replace(complement=item), owner)

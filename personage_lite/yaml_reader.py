@@ -179,8 +179,11 @@ class Node:
             raise self.fault("expected a single value", "write one word, text or number here")
         return self._node.tag, str(self._node.value)
 
-    def text(self) -> str:
-        """Return the value as text; a number or a bare yes / no is an error, never a guess."""
+    def text(self, empty: bool = False) -> str:
+        """Return the value as text; a number or a bare yes / no is an error, never a guess.
+
+        With `empty`, "" is a text too.
+        """
         tag, value = self._scalar()
         if tag == _BOOL:
             raise self.fault(
@@ -191,7 +194,7 @@ class Node:
             raise self.fault(
                 f"expected text, found {kind}", 'write a text, in "quotes" if in doubt'
             )
-        if not value.strip():
+        if not (empty or value.strip()):
             raise self.fault("the text is empty", "write at least one word, or remove the key")
         return value
 
@@ -242,22 +245,38 @@ def read_yaml(path: str | PathLike[str], shown: str | None = None) -> Node:
     Raises `PersonageError` if the file cannot be read and `DataError` if it is not YAML.
     """
     name = shown or str(path)
+    return parse_yaml(read_text(path, name), name)
+
+
+def read_text(path: str | PathLike[str], name: str) -> str:
+    """Return a file's text; `name` is how error messages call the file."""
     try:
         with open(path, "rb") as file:
-            content = file.read().decode("utf-8")
+            content = file.read()
     except OSError as error:
         raise PersonageError(f"{name}: cannot be read ({error.strerror}); check the path") from None
+    return decoded(content, name)
+
+
+def decoded(content: bytes, name: str) -> str:
+    """Return bytes as UTF-8 text; `name` is how error messages call where they are from."""
+    try:
+        return content.decode("utf-8")
     except UnicodeDecodeError as error:
         line = error.object.count(b"\n", 0, error.start) + 1
         raise DataError(name, line, "this is not UTF-8 text", "save the file as UTF-8") from None
-    return parse_yaml(content, name)
 
 
 def parse_yaml(content: str, name: str) -> Node:
     """Parse YAML text into a `Node`; `name` is how error messages call it."""
+    return Node(compose(content, name), name)
+
+
+def compose(content: str, name: str, deepest: int = _DEEPEST) -> yaml.Node:
+    """Parse YAML text into PyYAML's nodes; more levels than `deepest` are refused."""
     try:
         if sum(content.count(mark) for mark in _NESTING) > _HARMLESS:
-            _refuse_deep_nesting(content, name)
+            _refuse_deep_nesting(content, name, deepest)
         node = yaml.compose(content, Loader=_Loader)
     except yaml.reader.ReaderError as error:  # A character that no YAML file can hold.
         line = content.encode().count(b"\n", 0, error.position) + 1
@@ -268,19 +287,19 @@ def parse_yaml(content: str, name: str) -> Node:
         problem = getattr(error, "problem", None) or str(error).splitlines()[0]
         raise DataError(name, line, f"not valid YAML ({problem})", "mend the syntax") from None
     if node is None:
-        raise DataError(name, 1, "the file is empty", "see docs/facts.md for what it holds")
-    return Node(node, name)
+        raise DataError(name, 1, "the file is empty", "see docs/ for what it holds")
+    return node
 
 
-def _refuse_deep_nesting(content: str, name: str) -> None:
+def _refuse_deep_nesting(content: str, name: str, deepest: int) -> None:
     """Raise `DataError` at the first value that stands in too many others."""
     depth = 0
     for event in yaml.parse(content, Loader=_Loader):
         if isinstance(event, yaml.CollectionStartEvent):
             depth += 1
-            if depth > _DEEPEST:
+            if depth > deepest:
                 mark = event.start_mark
                 line = mark.line + 1 if mark else 1
-                raise DataError(name, line, f"more than {_DEEPEST} levels deep", "nest less")
+                raise DataError(name, line, f"more than {deepest} levels deep", "nest less")
         elif isinstance(event, yaml.CollectionEndEvent):
             depth -= 1

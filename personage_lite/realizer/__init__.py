@@ -6,7 +6,9 @@ specification is never changed, the realizer keeps no state, threads may share i
 
 from __future__ import annotations
 
+from personage_lite.realizer.features import SpecificationError
 from personage_lite.realizer.grammar import Grammar
+from personage_lite.realizer.numerals import Date
 from personage_lite.realizer.orthography import write
 from personage_lite.realizer.specification import (
     AdjectivePhrase,
@@ -16,8 +18,13 @@ from personage_lite.realizer.specification import (
     Embedded,
     Joined,
     NounPhrase,
+    Numeral,
     Opener,
     Phrase,
+    PrepositionalPhrase,
+    Question,
+    Quotation,
+    Relative,
     Sentence,
     Subordinate,
     Text,
@@ -29,20 +36,30 @@ __all__ = [
     "Cased",
     "Clause",
     "Coordination",
+    "Date",
     "Embedded",
     "Joined",
     "NounPhrase",
+    "Numeral",
     "Opener",
     "Phrase",
+    "PrepositionalPhrase",
+    "Question",
+    "Quotation",
     "Realizer",
+    "Relative",
     "Sentence",
+    "SpecificationError",
     "Subordinate",
     "Text",
 ]
 
+# What a specification can break when a value in it is of another type than it should be.
+_BROKEN = (TypeError, AttributeError, KeyError, ValueError, IndexError, RecursionError)
+
 
 class Realizer:
-    """Turns a `Sentence` (or a bare `Clause`) into text.
+    """Turns a `Sentence` (or a bare `Clause` or phrase) into text.
 
     >>> from personage_lite import english
     >>> alice = NounPhrase("Alice", gender="feminine", animate=True)
@@ -53,62 +70,23 @@ class Realizer:
     Source: Reiter & Dale 2000, chapter 6; the paper, section IV-C.
     """
 
-    __slots__ = ("_grammar", "_syntax")
+    __slots__ = ("_syntax", "grammar")
 
     def __init__(self, grammar: Grammar) -> None:
-        self._grammar = grammar
+        self.grammar = grammar
         self._syntax = Syntax(grammar)
 
-    def realize(self, sentence: Sentence | Clause) -> str:
-        """Return the text of one sentence, with capital and end mark."""
-        if isinstance(sentence, Clause):
-            sentence = Sentence(sentence)
-        return write(self.tokens(sentence), self._grammar)
+    def realize(self, sentence: Sentence | Phrase) -> str:
+        """Return the text of one sentence, with capital and end mark.
 
-    def tokens(self, sentence: Sentence) -> list[str]:
-        """Return the words and marks of one sentence in order, before orthography."""
-        out: list[str] = []
-        syntax = self._syntax
-        for opener in sentence.openers:
-            out.append(opener.text)
-            if opener.mark:
-                out.append(opener.mark)
-        if sentence.connective:
-            out.extend((sentence.connective, ","))
-        if sentence.false_start and not isinstance(sentence.body, Text):
-            self._false_start(out, sentence.body)
-        syntax.body(out, sentence.body)
-        last = sentence.body
-        for joined in sentence.joined:
-            if not joined.shared_subject or (isinstance(last, Clause) and last.quotation):
-                out.append(",")
-            out.append(joined.conjunction)
-            syntax.body(out, joined.body, joined.shared_subject)
-            last = joined.body
-        if sentence.afterthought:
-            out.extend((",", sentence.afterthought))
-        tag = sentence.tag
-        if tag == "auto":
-            tagged = _tagged(last)
-            if tagged is None:
-                tag = ""
-            else:
-                syntax.tag(out, tagged)
-        elif tag:
-            out.extend((",", tag))
-        if sentence.vocative:
-            out.extend((",", sentence.vocative))
-        out.append("?" if tag else sentence.terminal)
-        return out
+        A phrase alone is a sentence of that phrase. Raises `SpecificationError`, which names the
+        place inside the specification, for what cannot be said: a missing subject, a value of a
+        wrong type, something nested too deep.
+        """
+        try:
+            whole = sentence if isinstance(sentence, Sentence) else Sentence(sentence)
+            return write(self._syntax.sentence(whole), self.grammar)
+        except (SpecificationError, *_BROKEN) as error:
+            from personage_lite.realizer.diagnosis import diagnosed  # only a fault needs it
 
-    def _false_start(self, out: list[str], body: Clause | Embedded) -> None:
-        clause = body.clause if isinstance(body, Embedded) else body
-        self._syntax.clause(out, clause._replace(truncated=True, subordinates=()))
-        out.append("…")
-
-
-def _tagged(body: Clause | Embedded | Text) -> Clause | None:
-    """Return the clause that a tag question agrees with; fixed words have none."""
-    if isinstance(body, Embedded):
-        return body.clause if body.inner_tag else None
-    return body if isinstance(body, Clause) else None
+            raise diagnosed(sentence, error) from None

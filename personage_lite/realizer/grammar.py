@@ -1,91 +1,218 @@
-"""The realizer's data: closed words and exceptions, read from `lexicons/grammar.yaml`."""
+"""The realizer's data: the closed words of English, read from `lexicons/`."""
 
 from __future__ import annotations
 
+from os import PathLike
 from typing import NamedTuple
 
-from personage_lite.yaml_reader import Node
+from personage_lite.realizer.article import ArticleSounds, read_article_sounds
+from personage_lite.realizer.inflection import Dialect, Inflection, read_inflection
+from personage_lite.realizer.numerals import NumberWords, read_numerals
+from personage_lite.yaml_reader import Node, read_yaml
 
-CASES = ("subjective", "objective", "possessive", "reflexive")
-PRONOUNS = (
-    *("first singular", "first plural", "second singular", "second plural"),
-    *("masculine", "feminine", "neuter", "third plural"),
+CASES = ("subjective", "objective", "possessive", "reflexive", "independent")
+# Person, number and gender of each row of the pronoun table; "" is any gender.
+PRONOUNS = {
+    "first singular": (1, "singular", ""),
+    "first plural": (1, "plural", ""),
+    "second singular": (2, "singular", ""),
+    "second plural": (2, "plural", ""),
+    "masculine": (3, "singular", "masculine"),
+    "feminine": (3, "singular", "feminine"),
+    "neuter": (3, "singular", "neuter"),
+    "third plural": (3, "plural", ""),
+}
+GENDERS = ("masculine", "feminine", "neuter")
+RELATIVE_ROLES = (
+    *("subject", "object", "restrictive_subject", "restrictive_object", "after_preposition"),
 )
-RELATIVE_PRONOUNS = ("animate", "inanimate", "inanimate_restrictive")
-BE = ("present_first", "present_third", "present_other", "past_singular", "past_other")
+DETERMINER_FIELDS = ("number", "plural", "uncountable")
+
+
+class FunctionWords(NamedTuple):
+    """The words that constructions need: auxiliaries, "to", "by", "than" and the like."""
+
+    future: str
+    perfect: str
+    progressive: str
+    passive: str
+    copula: str
+    support: str
+    negator: str
+    infinitive: str
+    agent: str
+    possession: str
+    pair: str
+    definite: str
+    comparative: str
+    equative: str
+    existential: str
+    whether: str
+    exclamative_degree: str
+    exclamative_noun: str
+    let: str
+    addition: str
+
+
+class DeterminerForms(NamedTuple):
+    """The number that a determiner asks for (if any), and its forms where they differ."""
+
+    number: str = ""
+    plural: str | None = None
+    uncountable: str | None = None
 
 
 class Grammar(NamedTuple):
-    """Closed word classes and exceptions to rules; never changed after loading."""
+    """Closed word classes, exceptions to rules and options; never changed after loading."""
 
-    pronouns: dict[str, dict[str, str]]
-    relative_pronouns: dict[str, str]
-    degree_word: str
-    be: dict[str, str]
-    modals: frozenset[str]
+    words: FunctionWords
+    pronouns: dict[tuple[int, str, str], dict[str, str]]
+    relative_pronouns: dict[str, dict[str, str]]
+    relative_possessive: str
+    be: dict[tuple[int, bool, bool], str]  # by person, plural, past
+    modals: dict[str, str]
     contractions: dict[str, str]
+    contracting: frozenset[str]
+    contracted_after: frozenset[str]
     negative_contractions: dict[str, str]
     tag_negatives: dict[str, str]
     fused_negatives: dict[str, str]
+    let_full: str
+    let_contracted: str
+    imperative_tags: dict[str, str]
     negators: frozenset[str]
     not_negative: tuple[str, ...]
+    inverting: tuple[str, ...]
     plural_in_tags: frozenset[str]
-    prepositions: frozenset[str]
-    irregular_verbs: dict[str, tuple[str, ...]]
-    third_person: dict[str, str]
-    doubling: frozenset[str]
-    irregular_plurals: dict[str, str]
-    invariable_plurals: frozenset[str]
-    vowel_sound: tuple[str, ...]
-    consonant_sound: tuple[str, ...]
-    vowel_sound_again: tuple[str, ...]
-    vowel_letters: str
-    numerals: frozenset[str]
+    determiners: dict[str, DeterminerForms]
+    correlatives: dict[str, str]
+    disjunctive: frozenset[str]
+    adjective_order: dict[str, int]
+    abbreviations: frozenset[str]
+    inflection: Inflection
+    numerals: NumberWords
+    sounds: ArticleSounds
+    oxford_comma: bool = False
+    curly_apostrophes: bool = False
 
 
-def _words(node: Node, needed: tuple[str, ...] = ()) -> dict[str, str]:
-    for key in needed:
-        node.need(key)
-    return {key: value.text() for key, value in node.items()}
+# Where an adjective stands that no class names: after the opinions, before the sizes.
+UNLISTED = 1
 
 
-def read_grammar(node: Node) -> Grammar:
-    """Read the grammar file; every fault names its line.
+def load_grammar(
+    folder: str | PathLike[str],
+    dialect: Dialect = "british",
+    oxford_comma: bool = False,
+    curly_apostrophes: bool = False,
+) -> Grammar:
+    """Read the four grammar files of a lexicon folder; every fault names its file and line.
 
     Raises `DataError` for a missing table, an unknown one or a word that is not text.
     """
-    pronouns = {}
-    rows = node.need("pronouns")
-    for name in PRONOUNS:
-        row = rows.need(name)
-        pronouns[name] = {case: row.need(case).text() for case in CASES}
-        row.done()
-    rows.done()
-    verbs = {lemma: forms.texts() for lemma, forms in node.need("irregular_verbs").items()}
-    grammar = Grammar(
-        pronouns=pronouns,
-        relative_pronouns=_words(node.need("relative_pronouns"), RELATIVE_PRONOUNS),
-        degree_word=node.need("degree_word").text(),
-        be=_words(node.need("be"), BE),
-        modals=frozenset(node.need("modals").texts()),
-        contractions=_words(node.need("contractions")),
-        negative_contractions=_words(node.need("negative_contractions")),
-        tag_negatives=_words(node.need("tag_negatives")),
-        fused_negatives=_words(node.need("fused_negatives")),
-        negators=frozenset(node.need("negators").texts()),
-        not_negative=node.need("not_negative").texts(),
-        plural_in_tags=frozenset(node.need("plural_in_tags").texts()),
-        prepositions=frozenset(node.need("prepositions").texts()),
-        irregular_verbs=verbs,
-        third_person=_words(node.need("third_person")),
-        doubling=frozenset(node.need("doubling").texts()),
-        irregular_plurals=_words(node.need("irregular_plurals")),
-        invariable_plurals=frozenset(node.need("invariable_plurals").texts()),
-        vowel_sound=node.need("vowel_sound").texts(),
-        consonant_sound=node.need("consonant_sound").texts(),
-        vowel_sound_again=node.need("vowel_sound_again").texts(),
-        vowel_letters=node.need("vowel_letters").text(),
-        numerals=frozenset(node.need("numerals").texts()),
+    inflection = read_inflection(read_yaml(f"{folder}/inflection.yaml"), dialect)
+    numerals = read_numerals(read_yaml(f"{folder}/numerals.yaml"), dialect)
+    sounds = read_article_sounds(read_yaml(f"{folder}/articles.yaml"))
+    closed = _closed_words(read_yaml(f"{folder}/grammar.yaml"))
+    return Grammar(
+        **closed,  # type: ignore[arg-type]
+        inflection=inflection,
+        numerals=numerals,
+        sounds=sounds,
+        oxford_comma=oxford_comma,
+        curly_apostrophes=curly_apostrophes,
     )
+
+
+def _closed_words(node: Node) -> dict[str, object]:
+    """Return what grammar.yaml holds, by the fields of `Grammar`."""
+    words = _words(node.need("function_words"), FunctionWords._fields)
+    relative = node.need("relative_pronouns")
+    let = _words(node.need("let"), ("full", "contracted"))
+    found: dict[str, object] = {
+        "words": FunctionWords(**words),
+        "pronouns": _pronouns(node.need("pronouns")),
+        "relative_pronouns": {
+            kind: _words(relative.need(kind), RELATIVE_ROLES) for kind in ("animate", "inanimate")
+        },
+        "relative_possessive": relative.need("possessive").text(),
+        "be": _be(node.need("be")),
+        "modals": _words(node.need("modals")),
+        "contractions": _words(node.need("contractions")),
+        "contracting": frozenset(node.need("contracting").texts()),
+        "contracted_after": frozenset(node.need("contracted_after").texts()),
+        "negative_contractions": _words(node.need("negative_contractions")),
+        "tag_negatives": _words(node.need("tag_negatives")),
+        "fused_negatives": _words(node.need("fused_negatives")),
+        "let_full": let["full"],
+        "let_contracted": let["contracted"],
+        "imperative_tags": _words(node.need("imperative_tags"), ("first", "second")),
+        "negators": frozenset(node.need("negators").texts()),
+        "not_negative": node.need("not_negative").texts(),
+        "inverting": node.need("inverting").texts(),
+        "plural_in_tags": frozenset(node.need("plural_in_tags").texts()),
+        "determiners": {
+            name: _determiner(forms) for name, forms in node.need("determiners").items()
+        },
+        "correlatives": _words(node.need("correlatives")),
+        "disjunctive": frozenset(node.need("disjunctive").texts()),
+        "adjective_order": _order(node.need("adjective_order")),
+        "abbreviations": frozenset(node.need("abbreviations").texts()),
+    }
+    relative.done()
     node.done()
-    return grammar
+    return found
+
+
+def _words(node: Node, needed: tuple[str, ...] = ()) -> dict[str, str]:
+    """Return a table of words; with `needed`, exactly those."""
+    for key in needed:
+        node.need(key)
+    if needed:
+        node.done()
+    return {key: value.text() for key, value in node.items()}
+
+
+def _pronouns(node: Node) -> dict[tuple[int, str, str], dict[str, str]]:
+    """Return the cases of each pronoun by person, number and gender."""
+    found = {}
+    for name, (person, number, gender) in PRONOUNS.items():
+        row = _words(node.need(name), CASES)
+        for each in (gender,) if gender else GENDERS:
+            found[person, number, each] = row
+    node.done()
+    return found
+
+
+def _be(node: Node) -> dict[tuple[int, bool, bool], str]:
+    """Return the finite forms of the copula by person, plural and past."""
+    needed = ("present_first", "present_third", "present_other", "past_singular", "past_other")
+    forms = _words(node, needed)
+    singular = {1: forms["present_first"], 2: forms["present_other"], 3: forms["present_third"]}
+    found = {}
+    for person, present in singular.items():
+        found[person, False, False] = present
+        found[person, True, False] = forms["present_other"]
+        found[person, False, True] = forms["past_other" if person == 2 else "past_singular"]
+        found[person, True, True] = forms["past_other"]
+    return found
+
+
+def _determiner(node: Node) -> DeterminerForms:
+    node.only(DETERMINER_FIELDS)
+    number = node.choice_of("number", ("singular", "plural"), "")
+    forms = {}
+    for key in ("plural", "uncountable"):
+        found = node.get(key)
+        # An empty form is said by leaving the determiner out.
+        forms[key] = None if found is None else found.text(empty=True)
+    return DeterminerForms(number, **forms)
+
+
+def _order(node: Node) -> dict[str, int]:
+    """Return the rank of each adjective; the class of those not listed is kept free."""
+    found = {}
+    for place, (_, words) in enumerate(node.items()):
+        for word in words.texts():
+            found[word] = place if place < UNLISTED else place + 1
+    return found

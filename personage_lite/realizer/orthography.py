@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from personage_lite.realizer.article import indefinite_article
 from personage_lite.realizer.grammar import Grammar
-from personage_lite.realizer.morphology import indefinite_article
 
 # Stands for "a" or "an" until the next word is known; no word can look like it.
 INDEFINITE = "\x00a"
@@ -15,47 +15,54 @@ def write(tokens: list[str], grammar: Grammar) -> str:
     """Join the tokens of one sentence into text.
 
     A comma is dropped beside any other mark, so that punctuation never doubles; an end mark after
-    speech that has one of its own is dropped too, and after "…" a full stop.
+    speech that has one of its own is dropped too, and after "…" a full stop. An abbreviation's
+    full stop stays before any other mark.
     """
     written: list[str] = []
     capital = True
     last = len(tokens) - 1
     for index, token in enumerate(tokens):
         if token in _CLOSING:
-            if written and not _swallowed(token, written[-1], tokens[index + 1 : index + 2]):
-                written[-1] = _attach(written[-1], token)
+            before = written[-1] if written else ""
+            after = tokens[index + 1] if index < last else ""
+            if written and not _swallowed(token, before, after, grammar):
+                written[-1] = _attach(before, token, grammar)
                 capital = token in _ENDING
             elif written and token in _ENDING:
                 capital = True
             continue
         if token == INDEFINITE:
-            token = indefinite_article(tokens[index + 1] if index < last else "", grammar)
+            following = next((word for word in tokens[index + 1 :] if word not in _CLOSING), "")
+            token = indefinite_article(following, grammar.sounds)
         if capital:
             token = _capitalize(token)
             capital = False
         written.append(token)
-    return " ".join(written)
+    text = " ".join(written)
+    return text.replace("'", "’") if grammar.curly_apostrophes else text
 
 
-def _swallowed(mark: str, before: str, after: list[str]) -> bool:
+def _swallowed(mark: str, before: str, after: str, grammar: Grammar) -> bool:
     """Whether a mark falls away beside its neighbours."""
     quoted = before[-1] == "”"
-    end = before[-2:-1] if quoted else before[-1]
+    end = before.rstrip("”’")[-1:] if quoted else before[-1]
+    if end == "." and mark != "." and _abbreviated(before, grammar):
+        return mark == "," and (not after or after in _CLOSING)
     if mark == ",":
-        if not after or after[0] in _CLOSING:
+        if not after or after in _CLOSING:
             return True
-        return end in _CLOSING and not (quoted and _full_stop(before[:-1]))
+        return end in _CLOSING and not (quoted and _full_stop(before.rstrip("”’")))
     return end in _ENDING or (end == "…" and (quoted or mark not in "!?"))
 
 
-def _attach(before: str, mark: str) -> str:
+def _attach(before: str, mark: str, grammar: Grammar) -> str:
     """Put a mark after a word; it goes inside the quotation marks of direct speech.
 
     It takes the place of a comma, and a comma that of the full stop that ended the speech.
     """
-    close = "”" if before[-1] == "”" else ""
-    stem = before[:-1] if close else before
-    if stem[-1:] == "," or (mark == "," and _full_stop(stem)):
+    stem = before.rstrip("”’") if before[-1] == "”" else before
+    close = before[len(stem) :]
+    if stem[-1:] == "," or (mark == "," and _full_stop(stem) and not _abbreviated(before, grammar)):
         stem = stem[:-1]
     return stem + mark + close
 
@@ -63,6 +70,11 @@ def _attach(before: str, mark: str) -> str:
 def _full_stop(words: str) -> bool:
     """Whether words end in one full stop, not in the three of "well..."."""
     return words[-1:] == "." and words[-2:-1] != "."
+
+
+def _abbreviated(words: str, grammar: Grammar) -> bool:
+    """Whether words end in an abbreviation, whose full stop ends no sentence."""
+    return words.rstrip("”’").rsplit(" ", 1)[-1] in grammar.abbreviations
 
 
 def _capitalize(token: str) -> str:

@@ -205,7 +205,7 @@ def merge_with_comma(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joi
     last, right = pair.last, pair.right
     said = last.clause.complement
     again = right.clause.complement
-    if last.clause.degree or not isinstance(said, AdjectivePhrase):
+    if last.clause.mood == "exclamative" or not isinstance(said, AdjectivePhrase):
         return None
     if not isinstance(again, AdjectivePhrase) or last.facts != right.facts:
         return None

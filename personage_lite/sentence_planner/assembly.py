@@ -10,6 +10,7 @@ from personage_lite.realizer.specification import (
     Joined,
     NounPhrase,
     Phrase,
+    Relative,
     Sentence,
     Subordinate,
     Text,
@@ -58,7 +59,7 @@ def _attached(host: Clause, part: ClausePlan) -> Clause:
         return host._replace(subordinates=(*host.subordinates, Subordinate(part.cue, part.clause)))
     inner = part.clause._replace(subject=None)
     if part.link == "relative" and host.subject is not None:
-        return host._replace(subject=host.subject._replace(relative=inner))
+        return host._replace(subject=host.subject._replace(relative=Relative(inner)))
     for name in ("adverbials", "complement", "object"):
         said = getattr(host, name)
         if name == "adverbials" and said:
@@ -75,7 +76,7 @@ def _with_relative(phrase: Phrase, inner: Clause) -> Phrase:
     assert isinstance(phrase, Text)
     last = phrase.parts[-1]
     assert isinstance(last, Cased)
-    noun = last.phrase._replace(relative=inner)
+    noun = last.phrase._replace(relative=Relative(inner))
     return Text((*phrase.parts[:-1], Cased(noun, last.case)))
 
 
@@ -91,8 +92,9 @@ def _framed(part: ClausePlan, clause: Clause) -> Clause | Embedded:
         someone = NounPhrase(
             word,
             animate=clause.subject.animate,
-            relative=clause._replace(subject=None, subordinates=(), contracted=False),
-            restrictive=True,
+            relative=Relative(
+                clause._replace(subject=None, subordinates=(), contracted=False), restrictive=True
+            ),
         )
         return Clause(
             "be",

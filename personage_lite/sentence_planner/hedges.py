@@ -56,7 +56,7 @@ def degree_fits(clause: ClausePlan) -> bool:
         and isinstance(said, AdjectivePhrase)
         and not said.adverbs
         and not clause.clause.negated
-        and not clause.clause.degree
+        and not clause.clause.mood == "exclamative"
         and clause.role == "assertion"
     )
 
@@ -79,7 +79,8 @@ def _starts_with_number(clause: ClausePlan, lexicon: Lexicon) -> bool:
     said = clause.clause.complement or clause.clause.object
     first = said.parts[0] if isinstance(said, Text) else ""
     word = first.split(" ", 1)[0] if isinstance(first, str) else ""
-    return word.isdigit() or word in lexicon.grammar.numerals
+    numerals = lexicon.grammar.numerals
+    return word.isdigit() or word in numerals.units[2:] or word in numerals.tens
 
 
 def hedged(plan: SentencePlan) -> SentencePlan:
@@ -155,7 +156,7 @@ def pause_fits(clause: ClausePlan) -> bool:
     spec = clause.clause
     if clause.frame is not None and clause.frame.complementizer:
         return False
-    bare = not (spec.interruption or spec.adverbs or spec.emphasizers or spec.degree)
+    bare = not (spec.interruption or spec.adverbs or spec.emphasizers or spec.mood == "exclamative")
     return bare and not spec.negated and not spec.passive and not clause.shared_subject
 
 

@@ -21,7 +21,7 @@ def negation(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> Sen
         return None
     for index, clause in enumerate(plan.clauses):
         said = clause.clause.complement
-        if clause.clause.negated or clause.clause.degree or clause.role != "assertion":
+        if clause.clause.negated or clause.clause.mood == "exclamative" or clause.role != "assertion":
             continue
         if not isinstance(said, AdjectivePhrase) or said.adverbs or clause.marks:
             continue

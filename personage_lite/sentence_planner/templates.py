@@ -67,7 +67,7 @@ def fits(template: Template, plan: ClausePlan) -> bool:
     opinion = template.emphatic or (template.hedging and template.form == "clause")
     if opinion and plan.polarity == "neutral":
         return False  # nobody has a view on whether she is a little girl
-    if template.form == "degree":
+    if template.form == "exclamative":
         return plan.gradable and not clause.negated and plan.strength != "somewhat"
     if template.form == "someone_who":
         # Someone who is kind; not "someone who is a little girl", "who falls down a well".
@@ -88,7 +88,9 @@ def framed(plan: ClausePlan, template: Template, lexicon: Lexicon, topic: NounPh
     else:
         lead = lead_text(template.lead, topic)
     frame = Frame(template.form, lead, template.complementizer, template.inner_tag)
-    clause = plan.clause._replace(degree=True) if template.form == "degree" else plan.clause
+    clause = plan.clause
+    if template.form == "exclamative":
+        clause = clause._replace(mood="exclamative")
     # What is sworn to is not hedged, nor stressed a second time.
     marks = plan.marks
     if template.emphatic:

@@ -1,0 +1,211 @@
+"""Noun phrases: determiners, counts, order of adjectives, owners, pronouns, relative clauses."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from personage_lite.realizer.agreement import agreement, determiner_form, is_plural, takes_pair
+from personage_lite.realizer.clauses import relative_clause
+from personage_lite.realizer.features import SpecificationError
+from personage_lite.realizer.grammar import UNLISTED, Grammar
+from personage_lite.realizer.numerals import cardinal, ordinal
+from personage_lite.realizer.orthography import INDEFINITE
+from personage_lite.realizer.phrases import after_adjective, attribute
+from personage_lite.realizer.specification import (
+    AdjectivePhrase,
+    Case,
+    Clause,
+    Coordination,
+    NounPhrase,
+    Phrase,
+    Relative,
+)
+from personage_lite.realizer.stutter import stutter
+from personage_lite.realizer.words import Countability, countability, pluralize, spell
+
+if TYPE_CHECKING:
+    from personage_lite.realizer.syntax import Syntax
+
+
+def noun_phrase(
+    syntax: Syntax, out: list[str], phrase: NounPhrase, case: Case = "objective"
+) -> None:
+    """Add a noun phrase or its pronoun."""
+    grammar = syntax.grammar
+    if phrase.pronoun or phrase.reflexive or case == "reflexive":
+        pronoun(out, phrase, "reflexive" if phrase.reflexive else case, grammar)
+        return
+    start = len(out)
+    plural = is_plural(phrase, grammar)
+    owner = phrase.possessor
+    owned_after = owner is not None and (phrase.determiner != "" or _heavy(owner))
+    if phrase.predeterminer:
+        out.append(phrase.predeterminer)
+    if owner is not None and not owned_after:
+        if not phrase.noun and isinstance(owner, NounPhrase) and owner.pronoun:
+            pronoun(out, owner, "independent", grammar)
+            return
+        syntax.phrase(out, owner, "possessive")
+    elif owner is not None and not phrase.determiner:
+        out.append(grammar.words.definite)
+    elif phrase.determiner:
+        determiner = determiner_form(phrase, plural, grammar)
+        if determiner:
+            out.append(INDEFINITE if determiner in ("a", "an") else determiner)
+    if phrase.ordinal is not None:
+        out.append(ordinal(phrase.ordinal, grammar.numerals, phrase.figures))
+    if phrase.cardinal is not None:
+        out.append(cardinal(phrase.cardinal, grammar.numerals, phrase.figures))
+    kind: Countability = "countable"
+    if phrase.noun and not phrase.entity:
+        kind = countability(phrase.noun, grammar.inflection)
+        if kind == "pair" and takes_pair(phrase, grammar):
+            pair = grammar.words.pair
+            out.append(pluralize(pair, grammar.inflection) if plural else pair)
+            out.append(grammar.words.possession)
+    following = _adjectives(syntax, out, phrase.adjectives) if phrase.adjectives else ()
+    if phrase.noun:
+        out.append(_noun(phrase, plural, kind, grammar))
+    elif len(out) == start:
+        raise SpecificationError("a noun phrase says nothing; give it a noun", phrase)
+    for adjective, whole in following:
+        if whole:
+            syntax.phrase(out, adjective)
+        else:
+            after_adjective(syntax, out, adjective)
+    if owner is not None and owned_after:
+        _owner_after(syntax, out, owner, double=phrase.determiner != "" and not _heavy(owner))
+    for modifier in phrase.modifiers:
+        syntax.phrase(out, modifier)
+    if case == "possessive":
+        possess(out, plural)
+    if phrase.apposition is not None:
+        out.append(",")
+        syntax.phrase(out, phrase.apposition)
+        out.append(",")
+    if phrase.relative is not None:
+        _relative(syntax, out, phrase, phrase.relative)
+
+
+def pronoun(
+    out: list[str], phrase: NounPhrase, case: Case | str, grammar: Grammar
+) -> None:
+    """Add the pronoun that stands for a noun phrase."""
+    out.append(grammar.pronouns[phrase.person, phrase.number, phrase.gender][case])
+
+
+def possess(out: list[str], plural: bool) -> None:
+    """Make the last word said an owner: Alice's, the gardeners'."""
+    out[-1] += "'" if plural and out[-1].endswith("s") else "'s"
+
+
+def _noun(phrase: NounPhrase, plural: bool, kind: Countability, grammar: Grammar) -> str:
+    """Return the noun in its number and its spelling; names of entities stay as they are."""
+    noun = phrase.noun
+    if phrase.entity:
+        return stutter(noun, phrase.stutter) if phrase.stutter else noun
+    inflection = grammar.inflection
+    noun = spell(noun, inflection)
+    if plural and kind not in ("pair", "plural_only"):
+        noun = pluralize(noun, inflection)
+    return stutter(noun, phrase.stutter) if phrase.stutter else noun
+
+
+# Adjectives
+
+
+def _adjectives(
+    syntax: Syntax, out: list[str], adjectives: tuple[Phrase, ...]
+) -> tuple[tuple[AdjectivePhrase, bool], ...]:
+    """Add adjectives in their usual order; return what has to follow the noun.
+
+    That is the whole phrase if it governs something ("a girl proud of her cat") or compares by
+    "as", and only the comparison of a comparative: "a braver girl than Dinah".
+    """
+    if len(adjectives) > 1:
+        order = syntax.grammar.adjective_order
+        # Sorting keeps the order of those of one rank.
+        adjectives = tuple(sorted(adjectives, key=lambda each: _rank(each, order)))
+    following = []
+    before = -1
+    for adjective in adjectives:
+        if isinstance(adjective, AdjectivePhrase):
+            if adjective.complement is not None or adjective.degree == "equative":
+                following.append((adjective, True))
+                continue
+            rank = _rank(adjective, syntax.grammar.adjective_order)
+            # Opinions are weighed one by one: "a kind, brave girl", but "a big old house".
+            if rank == before <= UNLISTED:
+                out.append(",")
+            before = rank
+            attribute(syntax, out, adjective)
+            if adjective.compared is not None:
+                following.append((adjective, False))
+        else:
+            before = -1
+            syntax.phrase(out, adjective)
+    return tuple(following)
+
+
+def _rank(adjective: Phrase, order: dict[str, int]) -> int:
+    if isinstance(adjective, AdjectivePhrase):
+        return order.get(adjective.adjective, UNLISTED)
+    if isinstance(adjective, str):
+        return order.get(adjective, UNLISTED)
+    return UNLISTED
+
+
+# Owners
+
+
+def _heavy(owner: Phrase) -> bool:
+    """Whether an owner has too much after its noun to bear an 's."""
+    if isinstance(owner, Coordination):
+        return any(_heavy(item) for item in owner.items)
+    return (
+        isinstance(owner, NounPhrase)
+        and not owner.pronoun
+        and (
+            owner.relative is not None
+            or owner.apposition is not None
+            or any(isinstance(modifier, Clause) for modifier in owner.modifiers)
+        )
+    )
+
+
+def _owner_after(syntax: Syntax, out: list[str], owner: Phrase, double: bool) -> None:
+    """Add "of" and the owner: "of Alice, who is kind"; double: "(a friend) of hers"."""
+    out.append(syntax.grammar.words.possession)
+    if not double:
+        syntax.phrase(out, owner)
+    elif isinstance(owner, NounPhrase) and owner.pronoun:
+        pronoun(out, owner, "independent", syntax.grammar)
+    else:
+        syntax.phrase(out, owner, "possessive")
+
+
+# Relative clauses
+
+
+def _relative(syntax: Syntax, out: list[str], phrase: NounPhrase, relative: Relative) -> None:
+    """Add "who …"; between commas unless it is restrictive."""
+    grammar = syntax.grammar
+    mark = [] if relative.restrictive else [","]
+    out.extend(mark)
+    if relative.preposition and not relative.stranded:
+        out.append(relative.preposition)
+    if relative.possessed:
+        out.append(relative.word or grammar.relative_possessive)
+    elif not relative.omitted:
+        out.append(relative.word or _relative_pronoun(phrase, relative, grammar))
+    relative_clause(syntax, out, relative, agreement(phrase, grammar))
+    out.extend(mark)
+
+
+def _relative_pronoun(phrase: NounPhrase, relative: Relative, grammar: Grammar) -> str:
+    """Return who, whom, which or that, by the noun and the role."""
+    table = grammar.relative_pronouns["animate" if phrase.animate else "inanimate"]
+    if relative.preposition and not relative.stranded:
+        return table["after_preposition"]
+    role = "subject" if relative.role == "subject" else "object"
+    return table[f"restrictive_{role}" if relative.restrictive else role]

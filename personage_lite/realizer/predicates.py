@@ -1,0 +1,208 @@
+"""Predicates: the verb group with negation and contraction, and the arguments in their order."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from personage_lite.realizer.agreement import Agreement
+from personage_lite.realizer.grammar import Grammar
+from personage_lite.realizer.orthography import write
+from personage_lite.realizer.specification import (
+    Cased,
+    Clause,
+    NounPhrase,
+    Phrase,
+    Quotation,
+    Sentence,
+    Text,
+)
+from personage_lite.realizer.verb_group import VerbGroup, verb_group
+
+if TYPE_CHECKING:
+    from personage_lite.realizer.syntax import Syntax
+
+
+def predicate(
+    syntax: Syntax,
+    out: list[str],
+    clause: Clause,
+    agrees: Agreement,
+    after_pronoun: bool = False,
+    before: Phrase | None = None,
+    stranded: str = "",
+) -> None:
+    """Add the verb group and all that follows it, but for subordinate clauses.
+
+    `before` is the subject of an inverted clause, said after the auxiliary; `after_pronoun` says
+    that the auxiliary can be shortened; `stranded` is a preposition left at the end.
+    """
+    grammar = syntax.grammar
+    negator = clause.negator if clause.negated else ""
+    plain_not = negator == grammar.words.negator
+    ellipsis = clause.ellipsis
+    support = plain_not or before is not None or "predicate" in ellipsis
+    group = verb_group(clause, agrees, grammar, support)
+    if clause.negated and clause.emphasizers:
+        out.extend(clause.emphasizers)
+        after_pronoun = False
+    middle = [] if clause.negated else list(clause.emphasizers)
+    middle.extend(clause.adverbs)
+    if negator and not plain_not:
+        middle.insert(0, negator)
+    if clause.interruption:
+        middle.extend((",", clause.interruption, ","))
+    if before is not None:
+        _inverted_finite(syntax, out, clause, group, before)
+        out.extend(middle)
+    elif "auxiliary" in ellipsis and group.auxiliary and group.rest:
+        out.extend(middle)
+    elif "verb" in ellipsis:
+        group = VerbGroup("", [], True)
+    else:
+        _finite_words(out, clause, group, after_pronoun, grammar)
+        if group.auxiliary:
+            out.extend(middle)
+        else:
+            finite = out.pop()
+            out.extend(middle)
+            out.append(finite)
+    if "predicate" in ellipsis:
+        for adverbial in clause.adverbials:
+            syntax.phrase(out, adverbial)
+        return
+    out.extend(group.rest)
+    if not clause.truncated:
+        arguments(syntax, out, clause, stranded)
+
+
+def _inverted_finite(
+    syntax: Syntax, out: list[str], clause: Clause, group: VerbGroup, subject: Phrase
+) -> None:
+    """Add the auxiliary, the subject and "not", which a contraction takes before the subject."""
+    grammar = syntax.grammar
+    finite = group.finite
+    negated = clause.negated and clause.negator == grammar.words.negator
+    if negated and clause.contracted:
+        short = grammar.negative_contractions.get(finite) or grammar.tag_negatives.get(finite)
+        if short:
+            finite, negated = short, False
+    elif (
+        clause.contracted
+        and out
+        and finite in grammar.contracted_after
+        and out[-1].lower() in grammar.contracting
+    ):
+        out[-1] += grammar.contractions[finite]
+        finite = ""
+    if finite:
+        out.append(finite)
+    syntax.phrase(out, subject, "subjective")
+    if negated:
+        out.append(clause.negator)
+
+
+def _finite_words(
+    out: list[str], clause: Clause, group: VerbGroup, after_pronoun: bool, grammar: Grammar
+) -> None:
+    """Add the finite verb and "not", shortened where the clause and its place allow it."""
+    finite = group.finite
+    short: str | None = None
+    if clause.contracted and after_pronoun and group.auxiliary and _can_shorten(clause, group):
+        # "There's" and "who's", but not "there're".
+        if finite in grammar.contracted_after or out[-1].lower() not in grammar.contracting:
+            short = grammar.contractions.get(finite)
+    if not clause.negated or clause.negator != grammar.words.negator:
+        if short:
+            out[-1] += short
+        else:
+            out.append(finite)
+    elif clause.contracted and finite in grammar.negative_contractions:
+        out.append(grammar.negative_contractions[finite])
+    elif short:
+        out[-1] += short
+        out.append(clause.negator)
+    elif finite in grammar.fused_negatives:
+        out.append(grammar.fused_negatives[finite])
+    else:
+        out.extend((finite, clause.negator))
+
+
+def _can_shorten(clause: Clause, group: VerbGroup) -> bool:
+    """Whether enough follows an auxiliary: nothing is shortened at the end, "Yes, she is"."""
+    if clause.interruption or clause.truncated or clause.mood == "exclamative" or clause.ellipsis:
+        return False
+    return bool(
+        group.rest or clause.complement is not None or clause.adverbials or clause.existential
+    )
+
+
+# Arguments
+
+
+def arguments(syntax: Syntax, out: list[str], clause: Clause, stranded: str = "") -> None:
+    """Add all that follows the verbs of a clause, but for subordinate clauses."""
+    if clause.existential and clause.subject is not None:
+        syntax.phrase(out, clause.subject)
+    particle_last = (
+        clause.particle
+        and _is_pronoun(clause.object)
+        and clause.particle not in syntax.grammar.inflection.prepositions
+    )
+    if clause.particle and not particle_last:
+        out.append(clause.particle)
+    if clause.indirect_object is not None:
+        _object(syntax, out, clause, clause.indirect_object)
+    if clause.object is not None:
+        _object(syntax, out, clause, clause.object)
+    if particle_last:
+        out.append(clause.particle)
+    if clause.complement is not None and clause.mood != "exclamative":
+        syntax.phrase(out, clause.complement)
+    if clause.agent is not None:
+        out.append(syntax.grammar.words.agent)
+        syntax.phrase(out, clause.agent)
+    if stranded:
+        out.append(stranded)
+    for adverbial in clause.adverbials:
+        syntax.phrase(out, adverbial)
+    for aside in clause.asides:
+        out.append(",")
+        syntax.phrase(out, aside)
+        out.append(",")
+    quotation = clause.quotation
+    if quotation and not (isinstance(quotation, Quotation) and quotation.first):
+        out.extend((",", quoted(syntax, quotation)))
+
+
+def quoted(syntax: Syntax, quotation: str | Quotation) -> str:
+    """Return direct speech in quotation marks; those inside it become single ones."""
+    speech = quotation.speech if isinstance(quotation, Quotation) else quotation
+    if isinstance(speech, Sentence):
+        speech = write(syntax.sentence(speech), syntax.grammar)
+    return f"“{speech.replace('“', '‘').replace('”', '’')}”"
+
+
+def _object(syntax: Syntax, out: list[str], clause: Clause, said: Phrase) -> None:
+    """Add an object; the pronoun for whom the subject denotes too is reflexive."""
+    subject = clause.subject
+    if (
+        isinstance(said, NounPhrase)
+        and said.pronoun
+        and said.entity
+        and isinstance(subject, NounPhrase)
+        and subject.entity == said.entity
+    ):
+        syntax.phrase(out, said, "reflexive")
+    else:
+        syntax.phrase(out, said)
+
+
+def _is_pronoun(phrase: Phrase | None) -> bool:
+    if isinstance(phrase, NounPhrase):
+        return phrase.pronoun or phrase.reflexive
+    if isinstance(phrase, Text) and len(phrase.parts) == 1:
+        part = phrase.parts[0]
+        if isinstance(part, Cased):
+            return part.case == "reflexive" or part.phrase.pronoun
+        return _is_pronoun(part)
+    return False

@@ -1,0 +1,166 @@
+"""Plain data (from YAML or JSON) to a specification; every fault names the path to its place."""
+
+from __future__ import annotations
+
+from types import NoneType
+from typing import Any
+
+from personage_lite.errors import nearest, shown
+from personage_lite.realizer.features import SpecificationError
+from personage_lite.realizer.specification import Phrase, Sentence, Text
+from personage_lite.realizer.types import (
+    DEEPEST,
+    FIELDS,
+    MARKS,
+    choices,
+    described,
+    item_type,
+    options,
+    required,
+)
+
+Path = tuple[str | int, ...]
+_SPOKEN = Sentence | FIELDS[Sentence]["body"]
+
+
+def path_text(path: Path) -> str:
+    """Return a path as a message shows it; the middle of a long one is left out.
+
+    >>> path_text(("subject", "adjectives", 0))
+    'subject.adjectives[0]'
+    """
+    if len(path) > 12:
+        return f"{path_text(path[:6])}…{path_text(path[-3:])}"
+    text = ""
+    for step in path:
+        text += f"[{step}]" if isinstance(step, int) else f".{step}"
+    return text.removeprefix(".")
+
+
+class MisreadError(SpecificationError):
+    """A fault in plain data; `path` leads to its place.
+
+    >>> str(MisreadError(("subject", "adjectives", 0), "nothing here", "write a text"))
+    'subject.adjectives[0]: nothing here; write a text'
+    """
+
+    def __init__(self, path: Path, what: str, remedy: str) -> None:
+        place = f"{path_text(path)}: " if path else ""
+        super().__init__(f"{place}{what}; {remedy}")
+        self.path, self.what, self.remedy = path, what, remedy
+
+    def inside(self, path: Path) -> MisreadError:
+        """Return the same fault, with the path to what holds the specification before its own."""
+        return MisreadError((*path, *self.path), self.what, self.remedy)
+
+
+def read_specification(data: object, path: Path = ()) -> Sentence | Phrase:
+    """Read a sentence, a clause or any other phrase from plain data.
+
+    A mapping is of the type whose field stands in it: `noun` of a noun phrase, `verb` of a
+    clause, `body` of a sentence; a string is fixed words, a list is fixed words and phrases.
+    Raises `MisreadError` for an unknown field, a wrong type and what is nested too deep.
+
+    >>> from personage_lite import english
+    >>> run = {"verb": "run", "subject": {"noun": "rabbit", "determiner": "a"}, "tense": "past"}
+    >>> english().realize(read_specification(run))
+    'A rabbit ran.'
+    """
+    found: Sentence | Phrase = _read(data, _SPOKEN, path, ())
+    return found
+
+
+def _read(data: Any, hint: Any, path: Path, around: tuple[int, ...]) -> Any:
+    """Read a value of a type; `around` are the identities of the values that it stands in."""
+    if isinstance(data, dict | list):
+        if id(data) in around:
+            raise MisreadError(path, "this contains itself", "write it out, or leave it out")
+        if len(around) >= DEEPEST:
+            raise MisreadError(path, f"more than {DEEPEST} levels deep", "nest less")
+        around = (*around, id(data))
+    able = options(hint)
+    if isinstance(data, dict):
+        return _mapping(data, able, path, around)
+    if isinstance(data, list):
+        return _list(data, able, path, around)
+    return _scalar(data, hint, path)
+
+
+def _mapping(data: dict[Any, Any], able: tuple[Any, ...], path: Path, around: Any) -> Any:
+    kinds = [kind for kind in able if kind in MARKS]
+    if not kinds:
+        raise _unfit(data, able, path)
+    if len(kinds) == 1:
+        kind = kinds[0]
+    else:
+        fitting = [kind for kind in kinds if any(mark in data for mark in MARKS[kind])]
+        if not fitting:
+            names = sorted(mark for kind in kinds for mark in MARKS[kind])
+            raise MisreadError(
+                path, "nothing says what this is", f"give it one of: {', '.join(names)}"
+            )
+        kind = fitting[0]
+    fields = FIELDS[kind]
+    values = {}
+    for name, value in data.items():
+        if name not in fields:
+            remedy = nearest(str(name), fields)
+            what = f"a {kind.__name__} has no field '{shown(str(name))}'"
+            raise MisreadError((*path, str(name)), what, remedy)
+        values[name] = _read(value, fields[name], (*path, name), around)
+    for name in required(kind):
+        if name not in values:
+            raise MisreadError(path, f"'{name}' is missing", f"add '{name}: …'")
+    return kind(**values)
+
+
+def _list(data: list[Any], able: tuple[Any, ...], path: Path, around: Any) -> Any:
+    for option in able:
+        # A list of phrases and words where a phrase is wanted is a text.
+        inner = FIELDS[Text]["parts"] if option is Text else option
+        item = item_type(inner)
+        if item is not None:
+            items = tuple(
+                _read(each, item, (*path, index), around) for index, each in enumerate(data)
+            )
+            if option is not Text:
+                return items
+            if not items:
+                raise MisreadError(path, "the list is empty", "add words, or remove the field")
+            return Text(items)
+    raise _unfit(data, able, path)
+
+
+def _scalar(data: Any, hint: Any, path: Path) -> Any:
+    able = options(hint)
+    for option in able:
+        allowed = choices(option)
+        if allowed:
+            if any(data == each and type(data) is type(each) for each in allowed):
+                return data
+            if len(able) == 1:
+                what = f"'{shown(str(data))}' is not possible here"
+                raise MisreadError(path, what, nearest(str(data), map(str, allowed)))
+        elif option is Text and isinstance(data, str):
+            return Text((data,))
+        elif type(data) is option or (option is float and type(data) is int):
+            return data
+    raise _unfit(data, able, path)
+
+
+def _unfit(data: Any, able: tuple[Any, ...], path: Path) -> MisreadError:
+    found = {dict: "a mapping", list: "a list", NoneType: "nothing"}.get(
+        type(data), f"'{shown(str(data))}'"
+    )
+    expected = described(able[0] if len(able) == 1 else _union(able))
+    remedy = "put it in quotes" if str in able else "see docs/realizer.md"
+    if any(item_type(option) for option in able):
+        remedy = "write it as a list, [ … ]"
+    return MisreadError(path, f"expected {expected}, found {found}", remedy)
+
+
+def _union(able: tuple[Any, ...]) -> Any:
+    joined = able[0]
+    for option in able[1:]:
+        joined = joined | option
+    return joined

@@ -1,0 +1,105 @@
+"""Sentences: openers, clauses joined, tags, vocatives and the end mark."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from personage_lite.realizer.clauses import content_clause, main_clause
+from personage_lite.realizer.phrases import coordination
+from personage_lite.realizer.specification import (
+    Case,
+    Clause,
+    Coordination,
+    Embedded,
+    Phrase,
+    Sentence,
+)
+from personage_lite.realizer.tags import tag_question, tagged_clause
+
+if TYPE_CHECKING:
+    from personage_lite.realizer.syntax import Syntax
+
+_ENDS = frozenset(".!?…")
+_TERMINALS = {"interrogative": "?", "exclamative": "!"}
+
+
+def sentence(syntax: Syntax, spec: Sentence) -> list[str]:
+    """Return the words and marks of one sentence in order, before orthography."""
+    out: list[str] = []
+    for opener in spec.openers:
+        # A mark of its own counts as the mark after it.
+        if opener.text[-1:] in _ENDS and opener.text not in syntax.grammar.abbreviations:
+            out.extend((opener.text[:-1], opener.text[-1]))
+        else:
+            out.append(opener.text)
+        if opener.mark:
+            out.append(opener.mark)
+    if spec.connective:
+        out.extend((spec.connective, ","))
+    body = spec.body
+    if spec.false_start and isinstance(body, Clause | Embedded):
+        clause = body.clause if isinstance(body, Embedded) else body
+        main_clause(syntax, out, clause._replace(truncated=True, subordinates=()))
+        out.append("…")
+    _body(syntax, out, body)
+    last: object = body
+    for joined in spec.joined:
+        if not joined.shared_subject or (isinstance(last, Clause) and last.quotation):
+            out.append(",")
+        out.append(joined.conjunction)
+        last = joined.body
+        _body(syntax, out, joined.body, joined.shared_subject)
+    if spec.afterthought:
+        out.extend((",", spec.afterthought))
+    tag = spec.tag
+    if tag == "auto":
+        clause_asked = tagged_clause(spec)
+        tag = "" if clause_asked is None else tag
+        if clause_asked is not None:
+            tag_question(syntax, out, clause_asked, _subject(spec, clause_asked))
+    elif tag:
+        out.extend((",", tag))
+    if spec.vocative:
+        out.extend((",", spec.vocative))
+    out.append("?" if tag else spec.terminal or _terminal(last))
+    return out
+
+
+def embedded(syntax: Syntax, out: list[str], body: Embedded, case: Case = "objective") -> None:
+    """Add fixed words and the clause that stands inside them."""
+    syntax.phrase(out, body.lead)
+    if body.complementizer:
+        out.append(body.complementizer)
+    content_clause(syntax, out, body.clause)
+
+
+def _body(
+    syntax: Syntax, out: list[str], body: Embedded | Phrase, shared_subject: bool = False
+) -> None:
+    """Add a clause, clauses, a main clause with the clause inside it, or a fragment."""
+    if isinstance(body, Clause):
+        main_clause(syntax, out, body, shared_subject)
+    elif isinstance(body, Coordination):
+        coordination(syntax, out, body, main=True)
+    else:
+        syntax.phrase(out, body)
+
+
+def _subject(spec: Sentence, clause: Clause) -> Phrase | None:
+    """Return the subject of a clause, or of the clause before it that it shares one with."""
+    if clause.subject is not None:
+        return clause.subject
+    bodies: list[object] = [spec.body, *(joined.body for joined in spec.joined)]
+    if isinstance(spec.body, Coordination):
+        bodies = list(spec.body.items)
+    for body in reversed(bodies):
+        if isinstance(body, Clause) and body.subject is not None:
+            return body.subject
+    return None
+
+
+def _terminal(body: object) -> str:
+    """Return the mark that ends what has none of its own: by the mood of the last clause."""
+    while isinstance(body, Coordination):
+        body = body.items[-1]
+    return _TERMINALS.get(body.mood, ".") if isinstance(body, Clause) else "."
