@@ -42,8 +42,8 @@ def main_clause(
     quotation = clause.quotation
     if isinstance(quotation, Quotation) and quotation.first:
         out.extend((quoted(syntax, quotation), ","))
-        if quotation.inverted:
-            _reporting(syntax, out, clause)
+        if quotation.inverted and clause.subject is not None:
+            _reporting(syntax, out, clause, clause.subject)
             return
     for phrase in clause.preposed:
         start = len(out)
@@ -280,11 +280,8 @@ def _exclaimed(syntax: Syntax, out: list[str], clause: Clause) -> None:
         syntax.phrase(out, clause.complement)
 
 
-def _reporting(syntax: Syntax, out: list[str], clause: Clause) -> None:
+def _reporting(syntax: Syntax, out: list[str], clause: Clause, subject: Phrase) -> None:
     """Add a clause of reporting with its verb first: "says the White Rabbit"."""
-    subject = clause.subject
-    if subject is None:
-        raise _no_subject(clause)
     group = verb_group(clause, agreement(subject, syntax.grammar), syntax.grammar)
     out.append(group.finite)
     out.extend(group.rest)

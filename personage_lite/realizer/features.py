@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import wraps
 from typing import Any, TypeVar, get_args
 
 from personage_lite.errors import PersonageError, nearest, shown
@@ -29,6 +30,7 @@ def checked(**choices: Any) -> Callable[[type[T]], type[T]]:
         make, fields = made_by.__new__, made_by._fields
         checks = tuple((fields.index(name), get_args(type_)) for name, type_ in choices.items())
 
+        @wraps(make)  # so that editors show the features
         def new(cls: type[T], *values: object, **features: object) -> Any:
             try:
                 made = make(cls, *values, **features)

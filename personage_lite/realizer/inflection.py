@@ -71,7 +71,6 @@ class _Tables:
             raise block.fault(
                 f"'{key}' is not a block of lines", f"write '{key}: |' and each entry in a line"
             )
-        side = self._side
         seen: set[str] = set()
         for index, line in enumerate(text.splitlines()):
             words = line.split()
@@ -80,17 +79,21 @@ class _Tables:
             if not least <= len(words) <= most:
                 count = str(least) if least == most else f"{least} to {most}"
                 raise self._fault(
-                    block, index, f"'{shown(line)}' has {len(words)} words", f"write {count} words"
+                    block,
+                    index,
+                    f"'{shown(line.strip())}' has {len(words)} words",
+                    f"write {count} words",
                 )
             if "/" in line:
-                words = [word.split("/")[side] for word in words]
-                if "" in words:
+                sides = [word.split("/") for word in words]
+                if not all(all(side) and len(side) <= 2 for side in sides):
                     raise self._fault(
                         block,
                         index,
-                        f"'{shown(line)}' has nothing beside a slash",
+                        f"'{shown(line.strip())}' has more or less than a word beside each slash",
                         "write British/American",
                     )
+                words = [word[self._side] for word in sides]
             if words[0] in seen:
                 raise self._fault(
                     block, index, f"'{words[0]}' stands in '{key}' twice", "remove one of the two"

@@ -9,7 +9,7 @@ from personage_lite.realizer.clauses import relative_clause
 from personage_lite.realizer.features import SpecificationError
 from personage_lite.realizer.grammar import UNLISTED, Grammar
 from personage_lite.realizer.numerals import cardinal, ordinal
-from personage_lite.realizer.orthography import INDEFINITE
+from personage_lite.realizer.orthography import INDEFINITE, MARKS
 from personage_lite.realizer.phrases import after_adjective, attribute
 from personage_lite.realizer.specification import (
     AdjectivePhrase,
@@ -96,7 +96,10 @@ def pronoun(
 
 def possess(out: list[str], plural: bool) -> None:
     """Make the last word said an owner: Alice's, the gardeners'."""
-    out[-1] += "'" if plural and out[-1].endswith("s") else "'s"
+    last = len(out) - 1
+    while last and out[last] in MARKS:
+        last -= 1
+    out[last] += "'" if plural and out[last].endswith("s") else "'s"
 
 
 def _noun(phrase: NounPhrase, plural: bool, kind: Countability, grammar: Grammar) -> str:

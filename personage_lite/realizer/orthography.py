@@ -7,7 +7,7 @@ from personage_lite.realizer.grammar import Grammar
 
 # Stands for "a" or "an" until the next word is known; no word can look like it.
 INDEFINITE = "\x00a"
-_CLOSING = frozenset(",.!?…")
+MARKS = frozenset(",.!?…")
 _ENDING = frozenset(".!?")
 
 
@@ -22,7 +22,7 @@ def write(tokens: list[str], grammar: Grammar) -> str:
     capital = True
     last = len(tokens) - 1
     for index, token in enumerate(tokens):
-        if token in _CLOSING:
+        if token in MARKS:
             before = written[-1] if written else ""
             after = tokens[index + 1] if index < last else ""
             if written and not _swallowed(token, before, after, grammar):
@@ -32,7 +32,7 @@ def write(tokens: list[str], grammar: Grammar) -> str:
                 capital = True
             continue
         if token == INDEFINITE:
-            following = next((word for word in tokens[index + 1 :] if word not in _CLOSING), "")
+            following = next((word for word in tokens[index + 1 :] if word not in MARKS), "")
             token = indefinite_article(following, grammar.sounds)
         if capital:
             token = _capitalize(token)
@@ -47,11 +47,11 @@ def _swallowed(mark: str, before: str, after: str, grammar: Grammar) -> bool:
     quoted = before[-1] == "”"
     end = before.rstrip("”’")[-1:] if quoted else before[-1]
     if end == "." and mark != "." and _abbreviated(before, grammar):
-        return mark == "," and (not after or after in _CLOSING)
+        return mark == "," and (not after or after in MARKS)
     if mark == ",":
-        if not after or after in _CLOSING:
+        if not after or after in MARKS:
             return True
-        return end in _CLOSING and not (quoted and _full_stop(before.rstrip("”’")))
+        return end in MARKS and not (quoted and _full_stop(before.rstrip("”’")))
     return end in _ENDING or (end == "…" and (quoted or mark not in "!?"))
 
 
