@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from typing import TypeAlias
 
-from personage_lite.realizer.grammar import DeterminerForms, Grammar
+from personage_lite.realizer.grammar import Grammar
+from personage_lite.realizer.inflection import Countability
 from personage_lite.realizer.specification import Cased, Coordination, NounPhrase, Phrase, Text
 from personage_lite.realizer.words import countability
 
 # Person, and whether it is plural.
 Agreement: TypeAlias = tuple[int, bool]
 THIRD_SINGULAR: Agreement = (3, False)
-
-_FREE = DeterminerForms()
 
 
 def agreement(phrase: Phrase | None, grammar: Grammar) -> Agreement:
@@ -37,25 +36,32 @@ def agreement(phrase: Phrase | None, grammar: Grammar) -> Agreement:
 
 def is_plural(phrase: NounPhrase, grammar: Grammar) -> bool:
     """Whether a noun phrase is plural, by its cardinal, its determiner and its noun."""
-    plural = phrase.number == "plural"
     if phrase.pronoun:
-        return plural
-    cardinal = phrase.cardinal
+        return phrase.number == "plural"
+    return number_and_kind(phrase, grammar)[0]
+
+
+def number_and_kind(phrase: NounPhrase, grammar: Grammar) -> tuple[bool, Countability]:
+    """Return whether a phrase that is no pronoun is plural, and the countability of its noun."""
+    plural = phrase.number == "plural"
     if phrase.determiner:
-        forced = grammar.determiners.get(phrase.determiner, _FREE).number
-        if forced:
-            plural = forced == "plural"
-    if cardinal is not None:
-        return abs(cardinal) > 1 or cardinal == 0
+        forms = grammar.determiners.get(phrase.determiner)
+        if forms is not None and forms.number:
+            plural = forms.number == "plural"
+    kind: Countability = "countable"
     if not phrase.entity:
         kind = countability(phrase.noun, grammar.inflection)
-        if kind == "uncountable":
-            return False
-        if kind == "plural_only":
-            return True
-        if kind == "pair":
-            return plural or not takes_pair(phrase, grammar)
-    return plural
+    if phrase.cardinal is not None:
+        # What is counted can be counted: "two teas".
+        plural = abs(phrase.cardinal) > 1 or phrase.cardinal == 0
+        return plural, "countable" if kind == "uncountable" else kind
+    if kind == "uncountable":
+        return False, kind
+    if kind == "plural_only":
+        return True, kind
+    if kind == "pair":
+        return plural or not takes_pair(phrase, grammar), kind
+    return plural, kind
 
 
 def takes_pair(phrase: NounPhrase, grammar: Grammar) -> bool:
@@ -67,21 +73,15 @@ def takes_pair(phrase: NounPhrase, grammar: Grammar) -> bool:
     return forms is not None and (forms.number == "singular" or forms.plural == "")
 
 
-def determiner_form(phrase: NounPhrase, plural: bool, grammar: Grammar) -> str:
+def determiner_form(
+    phrase: NounPhrase, plural: bool, kind: Countability, grammar: Grammar
+) -> str:
     """Return the determiner as it agrees: "these cats", "much furniture"."""
     forms = grammar.determiners.get(phrase.determiner)
     if forms is None:
         return phrase.determiner
     if plural:
         return phrase.determiner if forms.plural is None else forms.plural
-    if forms.uncountable is not None and _uncountable(phrase, grammar):
+    if forms.uncountable is not None and kind == "uncountable":
         return forms.uncountable
     return phrase.determiner
-
-
-def _uncountable(phrase: NounPhrase, grammar: Grammar) -> bool:
-    return (
-        phrase.cardinal is None
-        and not phrase.entity
-        and countability(phrase.noun, grammar.inflection) == "uncountable"
-    )

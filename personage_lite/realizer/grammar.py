@@ -26,6 +26,11 @@ GENDERS = ("masculine", "feminine", "neuter")
 RELATIVE_ROLES = (
     *("subject", "object", "restrictive_subject", "restrictive_object", "after_preposition"),
 )
+_SETS = (
+    *("negated_as_a_whole", "prospective", "auxiliary_semi_modals", "never_backshifted"),
+    *("contracting", "contracted_after", "negators", "negative_determiners", "inverting"),
+    *("inverting_with_ellipsis", "plural_in_tags", "repeated_in_tags", "disjunctive", "abbreviations"),
+)
 DETERMINER_FIELDS = ("number", "plural", "uncountable")
 
 
@@ -71,10 +76,15 @@ class Grammar(NamedTuple):
     relative_possessive: str
     be: dict[tuple[int, bool, bool], str]  # by person, plural, past
     modals: dict[str, str]
+    negated_as_a_whole: frozenset[str]
+    prospective: frozenset[str]
+    auxiliary_semi_modals: frozenset[str]
+    never_backshifted: frozenset[str]
     contractions: dict[str, str]
     contracting: frozenset[str]
     contracted_after: frozenset[str]
     negative_contractions: dict[str, str]
+    question_negatives: dict[str, str]
     tag_negatives: dict[str, str]
     fused_negatives: dict[str, str]
     let_full: str
@@ -82,8 +92,12 @@ class Grammar(NamedTuple):
     imperative_tags: dict[str, str]
     negators: frozenset[str]
     not_negative: tuple[str, ...]
-    inverting: tuple[str, ...]
+    negative_determiners: frozenset[str]
+    inverting: frozenset[str]
+    inverting_beginnings: tuple[str, ...]
+    inverting_with_ellipsis: frozenset[str]
     plural_in_tags: frozenset[str]
+    repeated_in_tags: frozenset[str]
     determiners: dict[str, DeterminerForms]
     correlatives: dict[str, str]
     disjunctive: frozenset[str]
@@ -138,26 +152,22 @@ def _closed_words(node: Node) -> dict[str, object]:
         "relative_possessive": relative.need("possessive").text(),
         "be": _be(node.need("be")),
         "modals": _words(node.need("modals")),
+        **{name: frozenset(node.need(name).texts()) for name in _SETS},
         "contractions": _words(node.need("contractions")),
-        "contracting": frozenset(node.need("contracting").texts()),
-        "contracted_after": frozenset(node.need("contracted_after").texts()),
         "negative_contractions": _words(node.need("negative_contractions")),
+        "question_negatives": _words(node.need("question_negatives")),
         "tag_negatives": _words(node.need("tag_negatives")),
         "fused_negatives": _words(node.need("fused_negatives")),
         "let_full": let["full"],
         "let_contracted": let["contracted"],
         "imperative_tags": _words(node.need("imperative_tags"), ("first", "second")),
-        "negators": frozenset(node.need("negators").texts()),
         "not_negative": node.need("not_negative").texts(),
-        "inverting": node.need("inverting").texts(),
-        "plural_in_tags": frozenset(node.need("plural_in_tags").texts()),
+        "inverting_beginnings": node.need("inverting_beginnings").texts(),
         "determiners": {
             name: _determiner(forms) for name, forms in node.need("determiners").items()
         },
         "correlatives": _words(node.need("correlatives")),
-        "disjunctive": frozenset(node.need("disjunctive").texts()),
         "adjective_order": _order(node.need("adjective_order")),
-        "abbreviations": frozenset(node.need("abbreviations").texts()),
     }
     relative.done()
     node.done()
@@ -213,6 +223,6 @@ def _order(node: Node) -> dict[str, int]:
     """Return the rank of each adjective; the class of those not listed is kept free."""
     found = {}
     for place, (_, words) in enumerate(node.items()):
-        for word in words.texts():
+        for word in words.text().split():
             found[word] = place if place < UNLISTED else place + 1
     return found

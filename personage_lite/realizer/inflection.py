@@ -12,6 +12,7 @@ from personage_lite.errors import DataError, shown
 from personage_lite.yaml_reader import Node
 
 Dialect: TypeAlias = Literal["british", "american"]
+Countability: TypeAlias = Literal["countable", "uncountable", "plural_only", "pair"]
 
 
 class Inflection(NamedTuple):
@@ -41,17 +42,17 @@ class Inflection(NamedTuple):
     prepositions: frozenset[str]
     # what else ends the head of a noun phrase
     noun_phrase_ends: frozenset[str]
-    uncountable: frozenset[str]
+    # whether a noun has two numbers, where that is not plain
+    countability: dict[str, Countability]
     uncountable_ends: tuple[str, ...]
-    # countable nouns with such an end
-    countable: frozenset[str]
-    plural_only: frozenset[str]
-    pairs: frozenset[str]
     # comparative, superlative
     degrees: dict[str, tuple[str, str]]
     # adjectives of two syllables that take -er, of one syllable that take "more"
     with_er: frozenset[str]
     with_more: frozenset[str]
+    # what stands before an adjective that takes neither
+    more: str
+    most: str
     # the other dialect's spelling: this one's
     spellings: dict[str, str]
 
@@ -137,6 +138,7 @@ def read_inflection(node: Node, dialect: Dialect = "british") -> Inflection:
     plurals |= {word: f"{word}s" for word in tables.words("regular_plurals")}
     plurals |= compounds
     plurals |= tables.pairs("irregular_plurals")
+    more, most = tables.triples("periphrastic_degrees")["positive"]
     inflection = Inflection(
         verbs=tables.triples("irregular_verbs"),
         verb_prefixes=tuple(tables.words("verb_prefixes")),
@@ -154,14 +156,18 @@ def read_inflection(node: Node, dialect: Dialect = "british") -> Inflection:
         },
         prepositions=frozenset(tables.words("prepositions")),
         noun_phrase_ends=frozenset(tables.words("noun_phrase_ends")),
-        uncountable=frozenset(uncountable),
+        countability={
+            **dict.fromkeys(tables.words("countable"), "countable"),
+            **dict.fromkeys(uncountable, "uncountable"),
+            **dict.fromkeys(plural_only, "plural_only"),
+            **dict.fromkeys(pairs, "pair"),
+        },
         uncountable_ends=tuple(tables.words("uncountable_ends")),
-        countable=frozenset(tables.words("countable")),
-        plural_only=frozenset(plural_only),
-        pairs=frozenset(pairs),
         degrees=tables.triples("degrees"),
         with_er=frozenset(tables.words("with_er")),
         with_more=frozenset(tables.words("with_more")),
+        more=more,
+        most=most,
         spellings=_spellings(tables, dialect),
     )
     node.done()

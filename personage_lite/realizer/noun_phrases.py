@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from personage_lite.realizer.agreement import agreement, determiner_form, is_plural, takes_pair
+from personage_lite.realizer.agreement import determiner_form, number_and_kind, takes_pair
 from personage_lite.realizer.clauses import relative_clause
 from personage_lite.realizer.features import SpecificationError
 from personage_lite.realizer.grammar import UNLISTED, Grammar
+from personage_lite.realizer.inflection import Countability
 from personage_lite.realizer.numerals import cardinal, ordinal
 from personage_lite.realizer.orthography import INDEFINITE, MARKS
 from personage_lite.realizer.phrases import after_adjective, attribute
@@ -21,7 +22,7 @@ from personage_lite.realizer.specification import (
     Relative,
 )
 from personage_lite.realizer.stutter import stutter
-from personage_lite.realizer.words import Countability, countability, pluralize, spell
+from personage_lite.realizer.words import pluralize, spell
 
 if TYPE_CHECKING:
     from personage_lite.realizer.syntax import Syntax
@@ -34,9 +35,11 @@ def noun_phrase(
     grammar = syntax.grammar
     if phrase.pronoun or phrase.reflexive or case == "reflexive":
         pronoun(out, phrase, "reflexive" if phrase.reflexive else case, grammar)
+        if phrase.pronoun and case in ("subjective", "objective"):
+            _after_noun(syntax, out, phrase)
         return
     start = len(out)
-    plural = is_plural(phrase, grammar)
+    plural, kind = number_and_kind(phrase, grammar)
     owner = phrase.possessor
     owned_after = owner is not None and (phrase.determiner != "" or _heavy(owner))
     if phrase.predeterminer:
@@ -49,20 +52,17 @@ def noun_phrase(
     elif owner is not None and not phrase.determiner:
         out.append(grammar.words.definite)
     elif phrase.determiner:
-        determiner = determiner_form(phrase, plural, grammar)
+        determiner = determiner_form(phrase, plural, kind, grammar)
         if determiner:
             out.append(INDEFINITE if determiner in ("a", "an") else determiner)
     if phrase.ordinal is not None:
         out.append(ordinal(phrase.ordinal, grammar.numerals, phrase.figures))
     if phrase.cardinal is not None:
         out.append(cardinal(phrase.cardinal, grammar.numerals, phrase.figures))
-    kind: Countability = "countable"
-    if phrase.noun and not phrase.entity:
-        kind = countability(phrase.noun, grammar.inflection)
-        if kind == "pair" and takes_pair(phrase, grammar):
-            pair = grammar.words.pair
-            out.append(pluralize(pair, grammar.inflection) if plural else pair)
-            out.append(grammar.words.possession)
+    if kind == "pair" and takes_pair(phrase, grammar):
+        pair = grammar.words.pair
+        out.append(pluralize(pair, grammar.inflection) if plural else pair)
+        out.append(grammar.words.possession)
     following = _adjectives(syntax, out, phrase.adjectives) if phrase.adjectives else ()
     if phrase.noun:
         out.append(_noun(phrase, plural, kind, grammar))
@@ -75,10 +75,18 @@ def noun_phrase(
             after_adjective(syntax, out, adjective)
     if owner is not None and owned_after:
         _owner_after(syntax, out, owner, double=phrase.determiner != "" and not _heavy(owner))
+    if case == "possessive":
+        for modifier in phrase.modifiers:
+            syntax.phrase(out, modifier)
+        possess(out, plural)
+        phrase = phrase._replace(modifiers=())
+    _after_noun(syntax, out, phrase)
+
+
+def _after_noun(syntax: Syntax, out: list[str], phrase: NounPhrase) -> None:
+    """Add what follows a noun or its pronoun: "we, the jury,", "he who hesitates"."""
     for modifier in phrase.modifiers:
         syntax.phrase(out, modifier)
-    if case == "possessive":
-        possess(out, plural)
     if phrase.apposition is not None:
         out.append(",")
         syntax.phrase(out, phrase.apposition)
@@ -195,14 +203,28 @@ def _relative(syntax: Syntax, out: list[str], phrase: NounPhrase, relative: Rela
     grammar = syntax.grammar
     mark = [] if relative.restrictive else [","]
     out.extend(mark)
-    if relative.preposition and not relative.stranded:
+    # Only a restrictive pronoun that is no subject can be left out; its preposition stays behind.
+    omitted = relative.omitted and relative.restrictive and relative.role != "subject"
+    finite = not isinstance(relative.clause, Clause) or relative.clause.form == "finite"
+    if relative.preposition and not (relative.stranded or omitted):
         out.append(relative.preposition)
     if relative.possessed:
         out.append(relative.word or grammar.relative_possessive)
-    elif not relative.omitted:
+    elif not omitted and (finite or relative.preposition and not relative.stranded):
         out.append(relative.word or _relative_pronoun(phrase, relative, grammar))
-    relative_clause(syntax, out, relative, agreement(phrase, grammar))
+    said = relative.clause
+    clauses = said.items if isinstance(said, Coordination) else (said,)
+    for index, clause in enumerate(clauses):
+        if index and isinstance(said, Coordination):
+            out.append("," if index < len(clauses) - 1 else said.conjunction)
+        relative_clause(syntax, out, _as_clause(clause), relative, phrase)
     out.extend(mark)
+
+
+def _as_clause(phrase: Phrase) -> Clause:
+    if isinstance(phrase, Clause):
+        return phrase
+    raise SpecificationError("only clauses can be joined in a relative clause; add verbs", phrase)
 
 
 def _relative_pronoun(phrase: NounPhrase, relative: Relative, grammar: Grammar) -> str:
@@ -210,5 +232,8 @@ def _relative_pronoun(phrase: NounPhrase, relative: Relative, grammar: Grammar) 
     table = grammar.relative_pronouns["animate" if phrase.animate else "inanimate"]
     if relative.preposition and not relative.stranded:
         return table["after_preposition"]
+    if relative.role == "complement":
+        # What somebody is, is no person: "the child that she was".
+        table = grammar.relative_pronouns["inanimate"]
     role = "subject" if relative.role == "subject" else "object"
     return table[f"restrictive_{role}" if relative.restrictive else role]

@@ -14,6 +14,7 @@ from personage_lite.realizer.specification import (
     Coordination,
     NounPhrase,
     Numeral,
+    Phrase,
     PrepositionalPhrase,
     Text,
 )
@@ -101,7 +102,11 @@ def coordination(
     inverted = False
     if paired and conjunction in grammar.correlatives:
         out.append(grammar.correlatives[conjunction])
-        inverted = main and out[-1].startswith(grammar.inverting)
+        # "Not only is she kind", "neither does she run"
+        said = out[-1]
+        inverted = main and (
+            said in grammar.inverting or said in grammar.inverting_beginnings
+        )
     joint = case == "possessive" and not phrase.separate and not _any_pronoun(phrase)
     for index, item in enumerate(items):
         clausal = main and isinstance(item, Clause) and item.form == "finite"
@@ -109,7 +114,7 @@ def coordination(
             if index < last or conjunction == ",":
                 out.append(",")
             else:
-                whole = clausal and not item.ellipsis  # type: ignore[union-attr]
+                whole = clausal and _said_whole(item)
                 if whole or (grammar.oxford_comma and last > 1):
                     out.append(",")
                 # "Not only is she kind, but she is also brave": "also" goes into the clause.
@@ -118,12 +123,21 @@ def coordination(
                 if inverted and second and isinstance(item, Clause):
                     item = item._replace(adverbs=(second, *item.adverbs))
         if clausal and isinstance(item, Clause):
-            also = index and conjunction.startswith(grammar.inverting)
-            main_clause(syntax, out, item, inverted=bool(inverted and (also or not index)))
+            if index:
+                main_clause(syntax, out, item, inverted=conjunction in grammar.inverting)
+            else:
+                main_clause(syntax, out, item, inverted=inverted)
         elif joint and index < last:
             syntax.phrase(out, item)
         else:
             syntax.phrase(out, item, case)
+
+
+def _said_whole(clause: Phrase) -> bool:
+    """Whether a clause says its own subject and verb, so that a comma parts it from another."""
+    return isinstance(clause, Clause) and not {"subject", "auxiliary", "verb"} & set(
+        clause.ellipsis
+    )
 
 
 def _any_pronoun(phrase: Coordination) -> bool:

@@ -29,25 +29,32 @@ def predicate(
     agrees: Agreement,
     after_pronoun: bool = False,
     before: Phrase | None = None,
+    subject: Phrase | None = None,
     stranded: str = "",
+    gap: bool = False,
 ) -> None:
     """Add the verb group and all that follows it, but for subordinate clauses.
 
     `before` is the subject of an inverted clause, said after the auxiliary; `after_pronoun` says
-    that the auxiliary can be shortened; `stranded` is a preposition left at the end.
+    that the auxiliary can be shortened; `subject` is whom a relative clause is about; `stranded`
+    is a preposition left at the end; `gap` says that what follows the verb "be" stands elsewhere.
     """
     grammar = syntax.grammar
     negator = clause.negator if clause.negated else ""
     plain_not = negator == grammar.words.negator
     ellipsis = clause.ellipsis
-    support = plain_not or before is not None or "predicate" in ellipsis
+    whole = clause.modal in grammar.negated_as_a_whole and before is None
+    alone = "predicate" in ellipsis
+    subject = clause.subject if subject is None else subject
+    support = plain_not or before is not None or alone or clause.emphatic
     group = verb_group(clause, agrees, grammar, support)
-    if clause.negated and clause.emphasizers:
+    outside = clause.negated and before is None
+    if outside and clause.emphasizers:
         out.extend(clause.emphasizers)
         after_pronoun = False
-    middle = [] if clause.negated else list(clause.emphasizers)
+    middle = [] if outside else list(clause.emphasizers)
     middle.extend(clause.adverbs)
-    if negator and not plain_not:
+    if negator and (whole or not plain_not):
         middle.insert(0, negator)
     if clause.interruption:
         middle.extend((",", clause.interruption, ","))
@@ -59,20 +66,28 @@ def predicate(
     elif "verb" in ellipsis:
         group = VerbGroup("", [], True)
     else:
-        _finite_words(out, clause, group, after_pronoun, grammar)
-        if group.auxiliary:
+        start = len(out)
+        _finite_words(out, clause, group, after_pronoun, plain_not and not whole, grammar)
+        if whole:
+            out.extend(group.linked)
+        last = alone or (gap and not group.rest)
+        if group.auxiliary and not (last and not plain_not):
             out.extend(middle)
         else:
-            finite = out.pop()
-            out.extend(middle)
-            out.append(finite)
-    if "predicate" in ellipsis:
+            # Before the finite verb: "she often runs", and at the end: "she never does".
+            out[start:start] = middle
+    if not whole:
+        out.extend(group.linked)
+    if alone:
         for adverbial in clause.adverbials:
             syntax.phrase(out, adverbial)
         return
+    if "main_verb" in ellipsis:
+        out.extend(group.rest[:-1])
+        return
     out.extend(group.rest)
     if not clause.truncated:
-        arguments(syntax, out, clause, stranded)
+        arguments(syntax, out, clause, subject, stranded)
 
 
 def _inverted_finite(
@@ -83,7 +98,7 @@ def _inverted_finite(
     finite = group.finite
     negated = clause.negated and clause.negator == grammar.words.negator
     if negated and clause.contracted:
-        short = grammar.negative_contractions.get(finite) or grammar.tag_negatives.get(finite)
+        short = grammar.negative_contractions.get(finite) or grammar.question_negatives.get(finite)
         if short:
             finite, negated = short, False
     elif (
@@ -102,16 +117,22 @@ def _inverted_finite(
 
 
 def _finite_words(
-    out: list[str], clause: Clause, group: VerbGroup, after_pronoun: bool, grammar: Grammar
+    out: list[str],
+    clause: Clause,
+    group: VerbGroup,
+    after_pronoun: bool,
+    negated: bool,
+    grammar: Grammar,
 ) -> None:
     """Add the finite verb and "not", shortened where the clause and its place allow it."""
     finite = group.finite
     short: str | None = None
-    if clause.contracted and after_pronoun and group.auxiliary and _can_shorten(clause, group):
+    able = clause.contracted and after_pronoun and group.auxiliary
+    if able and (negated or _can_shorten(clause, group)):
         # "There's" and "who's", but not "there're".
         if finite in grammar.contracted_after or out[-1].lower() not in grammar.contracting:
             short = grammar.contractions.get(finite)
-    if not clause.negated or clause.negator != grammar.words.negator:
+    if not negated:
         if short:
             out[-1] += short
         else:
@@ -131,15 +152,19 @@ def _can_shorten(clause: Clause, group: VerbGroup) -> bool:
     """Whether enough follows an auxiliary: nothing is shortened at the end, "Yes, she is"."""
     if clause.interruption or clause.truncated or clause.mood == "exclamative" or clause.ellipsis:
         return False
-    return bool(
-        group.rest or clause.complement is not None or clause.adverbials or clause.existential
-    )
+    if group.rest:
+        return True
+    if clause.question is not None and clause.question.role != "subject":
+        return False  # what it asks for has left: "(tell me) where he is today"
+    return bool(clause.complement is not None or clause.adverbials or clause.existential)
 
 
 # Arguments
 
 
-def arguments(syntax: Syntax, out: list[str], clause: Clause, stranded: str = "") -> None:
+def arguments(
+    syntax: Syntax, out: list[str], clause: Clause, subject: Phrase | None, stranded: str = ""
+) -> None:
     """Add all that follows the verbs of a clause, but for subordinate clauses."""
     if clause.existential and clause.subject is not None:
         syntax.phrase(out, clause.subject)
@@ -151,12 +176,13 @@ def arguments(syntax: Syntax, out: list[str], clause: Clause, stranded: str = ""
     if clause.particle and not particle_last:
         out.append(clause.particle)
     if clause.indirect_object is not None:
-        _object(syntax, out, clause, clause.indirect_object)
+        _object(syntax, out, subject, clause.indirect_object)
     if clause.object is not None:
-        _object(syntax, out, clause, clause.object)
+        _object(syntax, out, subject, clause.object)
     if particle_last:
         out.append(clause.particle)
-    if clause.complement is not None and clause.mood != "exclamative":
+    exclaimed = clause.mood == "exclamative" and clause.question is None
+    if clause.complement is not None and not exclaimed:
         syntax.phrase(out, clause.complement)
     if clause.agent is not None:
         out.append(syntax.grammar.words.agent)
@@ -182,9 +208,8 @@ def quoted(syntax: Syntax, quotation: str | Quotation) -> str:
     return f"“{speech.replace('“', '‘').replace('”', '’')}”"
 
 
-def _object(syntax: Syntax, out: list[str], clause: Clause, said: Phrase) -> None:
+def _object(syntax: Syntax, out: list[str], subject: Phrase | None, said: Phrase) -> None:
     """Add an object; the pronoun for whom the subject denotes too is reflexive."""
-    subject = clause.subject
     if (
         isinstance(said, NounPhrase)
         and said.pronoun

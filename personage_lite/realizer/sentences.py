@@ -48,7 +48,8 @@ def sentence(syntax: Syntax, spec: Sentence) -> list[str]:
             out.append(",")
         out.append(joined.conjunction)
         last = joined.body
-        _body(syntax, out, joined.body, joined.shared_subject)
+        inverted = joined.conjunction in syntax.grammar.inverting  # "nor does she"
+        _body(syntax, out, joined.body, joined.shared_subject, inverted)
     if spec.afterthought:
         out.extend((",", spec.afterthought))
     tag = spec.tag
@@ -74,11 +75,15 @@ def embedded(syntax: Syntax, out: list[str], body: Embedded, case: Case = "objec
 
 
 def _body(
-    syntax: Syntax, out: list[str], body: Embedded | Phrase, shared_subject: bool = False
+    syntax: Syntax,
+    out: list[str],
+    body: Embedded | Phrase,
+    shared_subject: bool = False,
+    inverted: bool = False,
 ) -> None:
     """Add a clause, clauses, a main clause with the clause inside it, or a fragment."""
     if isinstance(body, Clause):
-        main_clause(syntax, out, body, shared_subject)
+        main_clause(syntax, out, body, shared_subject, inverted)
     elif isinstance(body, Coordination):
         coordination(syntax, out, body, main=True)
     else:

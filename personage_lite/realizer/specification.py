@@ -19,12 +19,14 @@ Person: TypeAlias = Literal[1, 2, 3]
 Case: TypeAlias = Literal["subjective", "objective", "possessive", "reflexive"]
 Tense: TypeAlias = Literal["present", "past", "future"]
 Degree: TypeAlias = Literal["positive", "comparative", "superlative", "equative"]
-Mood: TypeAlias = Literal["declarative", "interrogative", "imperative", "exclamative"]
+Mood: TypeAlias = Literal[
+    "declarative", "interrogative", "imperative", "exclamative", "subjunctive"
+]
 Form: TypeAlias = Literal[
     "finite", "infinitive", "bare_infinitive", "present_participle", "past_participle"
 ]
 Role: TypeAlias = Literal["subject", "indirect_object", "object", "complement", "adverbial"]
-Ellipsis: TypeAlias = Literal["subject", "auxiliary", "verb", "predicate"]
+Ellipsis: TypeAlias = Literal["subject", "auxiliary", "verb", "main_verb", "predicate"]
 
 
 @checked(degree=Degree)
@@ -88,10 +90,11 @@ class Relative(NamedTuple):
     she spoke" (adverbial, with its `preposition`; `stranded`: "whom she spoke to"), "where she
     lives" (adverbial, with `word` "where"). With `possessed` it is the owner of what has that
     role: "whose cat sleeps". Without `restrictive` it stands between commas. `word` replaces the
-    pronoun that would be chosen, and `omitted` leaves it out: "the cake she ate".
+    pronoun that would be chosen, and `omitted` leaves it out: "the cake she ate". Several clauses
+    can be joined: "who sells hats and drinks tea".
     """
 
-    clause: Clause
+    clause: Clause | Coordination
     role: Role = "subject"
     restrictive: bool = False
     possessed: bool = False
@@ -189,13 +192,14 @@ class Clause(NamedTuple):
     reported speech: "(she said that) she was late". `existential` puts "there" before the verb.
 
     In the interrogative mood, `question` says what is asked for; without one it is a yes/no
-    question. In the exclamative mood the complement comes first: "how curious she is". As a
-    phrase inside another clause, a clause is a content clause ("that she is kind", "who came") or
-    has one of the non-finite forms ("to go", "running").
+    question. In the exclamative mood the complement comes first, or what `question` names: "how
+    curious she is", "what eyes she has". The subjunctive is "(that) she go" and "(if) I were
+    you". As a phrase inside another clause, a clause is a content clause ("that she is kind",
+    "who came") or has one of the non-finite forms ("to go", "running"). `emphatic` says "does go".
 
     `ellipsis` leaves out what was said before: the subject ("and runs"), subject and first
-    auxiliary ("and drunk"), the verb group ("and the Hatter tea"), or all that follows the
-    auxiliary ("she does"). `truncated` breaks off after the verb. `contracted` shortens what can
+    auxiliary ("and drunk"), the verb group ("and the Hatter tea"), the main verb and what follows
+    it ("she could have"), or all that follows the first auxiliary ("she does"). `truncated` breaks off after the verb. `contracted` shortens what can
     be shortened: "she's", "isn't".
     """
 
@@ -230,6 +234,7 @@ class Clause(NamedTuple):
     complementizer: str = ""
     backshifted: bool = False
     ellipsis: tuple[Ellipsis, ...] = ()
+    emphatic: bool = False
 
 
 Phrase: TypeAlias = (

@@ -15,6 +15,7 @@ from personage_lite.realizer.specification import (
     NounPhrase,
     Person,
     Phrase,
+    PrepositionalPhrase,
     Sentence,
     Text,
 )
@@ -70,8 +71,11 @@ def _pronoun(subject: Phrase | None, grammar: Grammar) -> NounPhrase:
         subject = part.phrase if isinstance(part, Cased) else part
     if isinstance(subject, NounPhrase):
         if subject.pronoun:
-            return subject._replace(relative=None)
-        plural = is_plural(subject, grammar) or subject.noun in grammar.plural_in_tags
+            return subject._replace(relative=None, apposition=None, modifiers=())
+        if subject.noun in grammar.repeated_in_tags and not subject.determiner:
+            return NounPhrase(subject.noun)
+        word = subject.noun or subject.determiner
+        plural = is_plural(subject, grammar) or word in grammar.plural_in_tags
         return NounPhrase(
             subject.noun,
             number="plural" if plural else "singular",
@@ -79,22 +83,27 @@ def _pronoun(subject: Phrase | None, grammar: Grammar) -> NounPhrase:
             person=subject.person,
             pronoun=True,
         )
-    if isinstance(subject, str) and subject in grammar.plural_in_tags:
+    if isinstance(subject, str) and subject.rsplit(" ", 1)[-1] in grammar.plural_in_tags:
         return IT._replace(number="plural")
     if isinstance(subject, Coordination):
-        person, plural = agreement(subject, grammar)
-        people = any(isinstance(item, NounPhrase) for item in subject.items)
-        if plural or people:
-            # "Either Alice or Bill runs, don't they?"
-            return IT._replace(number="plural", person=cast(Person, person))
+        people = [agreement(item, grammar)[0] for item in subject.items if _names(item)]
+        if people:
+            # "Either Alice or Bill runs, don't they?", "neither you nor I do, do we?"
+            return IT._replace(number="plural", person=cast(Person, min(people)))
     return IT
+
+
+def _names(phrase: Phrase) -> bool:
+    """Whether a phrase names somebody or something, as no infinitive does."""
+    return isinstance(phrase, NounPhrase | Text | str)
 
 
 def _sounds_negative(clause: Clause, subject: Phrase | None, grammar: Grammar) -> bool:
     """Whether a tag must be positive: "she never runs, does she?", "… nobody, does she?"."""
     if clause.negated or _negative_adverbs(clause.adverbs, grammar):
         return True
-    said = (subject, clause.indirect_object, clause.object, clause.complement, *clause.preposed)
+    objects = (clause.indirect_object, clause.object, clause.complement, clause.agent)
+    said = (subject, *objects, *clause.preposed, *clause.adverbials)
     return any(_negative(phrase, grammar) for phrase in said)
 
 
@@ -111,7 +120,13 @@ def _negative(phrase: Phrase | None, grammar: Grammar) -> bool:
     if isinstance(phrase, Text):
         part = phrase.parts[0]
         return _negative(part.phrase if isinstance(part, Cased) else part, grammar)
+    if isinstance(phrase, PrepositionalPhrase):
+        return _negative(phrase.object, grammar)
     if isinstance(phrase, NounPhrase) and not phrase.pronoun:
+        if phrase.predeterminer:
+            return _negative_word(phrase.predeterminer, grammar)
+        if phrase.determiner in grammar.negative_determiners:
+            return True
         if phrase.determiner or phrase.possessor is None:
             return _negative_word(phrase.determiner or phrase.noun, grammar)
         return _negative(phrase.possessor, grammar)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from personage_lite.realizer.agreement import Agreement
 from personage_lite.realizer.grammar import Grammar
 from personage_lite.realizer.specification import Clause
-from personage_lite.realizer.words import VerbForm, inflect_verb
+from personage_lite.realizer.words import VerbForm, inflect_verb, spell
 
 # A verb, the words after it, and the form it gives the next verb: be, going to, base.
 _Link = tuple[str, tuple[str, ...], VerbForm]
@@ -19,15 +19,21 @@ _FORMS: dict[str, VerbForm] = {
 
 
 class VerbGroup:
-    """The verb words of one clause: the finite one, those after it, and whether it inverts."""
+    """The verb words of one clause: the finite one, those after it, and whether it inverts.
 
-    __slots__ = ("auxiliary", "finite", "rest")
+    `linked` are words that a modal brings with it: (had) "better", (ought) "to".
+    """
 
-    def __init__(self, finite: str, rest: list[str], auxiliary: bool) -> None:
+    __slots__ = ("auxiliary", "finite", "linked", "rest")
+
+    def __init__(
+        self, finite: str, rest: list[str], auxiliary: bool, linked: tuple[str, ...] = ()
+    ) -> None:
         self.finite = finite
         self.rest = rest
         # An auxiliary (or be) takes "not" and inverts by itself; other verbs need "do".
         self.auxiliary = auxiliary
+        self.linked = linked
 
 
 def verb_group(
@@ -43,29 +49,33 @@ def verb_group(
     """
     past = clause.tense == "past"
     words = grammar.words
-    if not (clause.modal or clause.perfect or clause.progressive or clause.passive):
+    modal = clause.modal
+    plain = not (modal or clause.perfect or clause.progressive or clause.passive)
+    if plain and clause.tense != "future" and not clause.backshifted:
         # Most clauses: one verb.
-        if clause.tense != "future" and not clause.backshifted:
-            if clause.verb == words.copula:
-                return VerbGroup(grammar.be[*agrees, past], [], True)
-            if support:
-                return VerbGroup(_finite(words.support, agrees, past, grammar), [clause.verb], True)
-            return VerbGroup(_finite(clause.verb, agrees, past, grammar), [], False)
-    modal = clause.modal or (words.future if clause.tense == "future" else "")
-    first, *linked = modal.split(" ")
+        if clause.verb == words.copula:
+            return VerbGroup(grammar.be[*agrees, past], [], True)
+        verb = spell(clause.verb, grammar.inflection)
+        if support:
+            return VerbGroup(_finite(words.support, agrees, past, grammar), [verb], True)
+        return VerbGroup(_finite(verb, agrees, past, grammar), [], False)
+    if clause.tense == "future" and modal not in grammar.modals:
+        modal = words.future
     perfect = clause.perfect
-    if clause.backshifted:
+    if clause.backshifted and modal not in grammar.never_backshifted:
         # "She is" … "was", "she has been" and "she was" … "had been", "she will" … "would".
-        perfect = perfect or (past and first not in grammar.modals)
+        perfect = perfect or (past and modal not in grammar.modals)
         past = True
     links = _links(clause, perfect, grammar)
-    if first in grammar.modals:
-        rest = [*linked, *_chain(links, "base", grammar)]
-        return VerbGroup(grammar.modals[first] if past else first, rest, True)
-    if first:
-        links.insert(0, (first, tuple(linked), "base"))
+    if modal in grammar.modals:
+        finite, *linked = (grammar.modals[modal] if past else modal).split(" ")
+        return VerbGroup(finite, _chain(links, "base", grammar), True, tuple(linked))
     lemma, after, form = links.pop(0)
-    auxiliary = lemma == words.copula or bool(links and not after and lemma == words.perfect)
+    auxiliary = (
+        lemma == words.copula
+        or (form == "participle" and lemma == words.perfect)
+        or modal in grammar.auxiliary_semi_modals
+    )
     if support and not auxiliary:
         rest = [lemma, *after, *_chain(links, form, grammar)]
         return VerbGroup(_finite(words.support, agrees, past, grammar), rest, True)
@@ -76,25 +86,35 @@ def verb_group(
 def non_finite(clause: Clause, grammar: Grammar) -> list[str]:
     """Return the verb words of an infinitive or a participle: "have been eaten", "eating"."""
     if clause.form == "past_participle":
-        return [inflect_verb(clause.verb, "participle", grammar.inflection)]
-    links = _links(clause, clause.perfect, grammar)
-    first, *linked = clause.modal.split(" ")
-    if linked and first not in grammar.modals:
-        links.insert(0, (first, tuple(linked), "base"))
-    return _chain(links, _FORMS[clause.form], grammar)
+        verb = spell(clause.verb, grammar.inflection)
+        return [inflect_verb(verb, "participle", grammar.inflection)]
+    return _chain(_links(clause, clause.perfect, grammar), _FORMS[clause.form], grammar)
 
 
 def _links(clause: Clause, perfect: bool, grammar: Grammar) -> list[_Link]:
-    """Return the verbs of a clause in their order, each with what it asks of the next."""
+    """Return the verbs of a clause in their order, each with what it asks of the next.
+
+    A modal that is inflected is one of them, after the perfect unless it looks ahead: "has had
+    to leave", but "is going to have left".
+    """
     words = grammar.words
     links: list[_Link] = []
+    modal = clause.modal
+    first, *linked = modal.split(" ")
+    semi: _Link | None = (first, tuple(linked), "base") if linked else None
+    if semi and modal in grammar.modals:
+        semi = None
+    if semi and modal in grammar.prospective:
+        links.append(semi)
     if perfect:
         links.append((words.perfect, (), "participle"))
+    if semi and modal not in grammar.prospective:
+        links.append(semi)
     if clause.progressive:
         links.append((words.progressive, (), "gerund"))
     if clause.passive:
         links.append((words.passive, (), "participle"))
-    links.append((clause.verb, (), "base"))
+    links.append((spell(clause.verb, grammar.inflection), (), "base"))
     return links
 
 

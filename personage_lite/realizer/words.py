@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import Literal, TypeAlias
 
-from personage_lite.realizer.inflection import Inflection
+from personage_lite.realizer.inflection import Countability, Inflection
 
 VerbForm: TypeAlias = Literal["base", "third", "past", "participle", "gerund"]
 Degree: TypeAlias = Literal["positive", "comparative", "superlative"]
-Countability: TypeAlias = Literal["countable", "uncountable", "plural_only", "pair"]
 
 _VOWELS = "aeiou"
 _AEIOU = frozenset(_VOWELS)
@@ -16,6 +15,8 @@ _AEIOUY = frozenset("aeiouy")
 # Consonants become the spaces between runs of vowels.
 _VOWELS_ALONE = {ord(letter): " " for letter in "bcdfghjklmnpqrstvwxz'.-"}
 _NATIONALS = ("woman", "chman", "shman", "tsman")
+# Endings of words made from a verb in -ise or -ize.
+_DERIVED = ("ation", "er")
 _HISSES = ("s", "x", "z", "ch", "sh")
 # Two vowels in spelling that are two in sound: dial, duel, victual.
 _HIATUS = ("ial", "uel", "ual")
@@ -215,9 +216,10 @@ def _head(noun: str, inflection: Inflection) -> tuple[str, str, str]:
         )
     if "-" in noun:
         parts = noun.split("-")
-        if len(parts) > 2 and parts[1] in ("in", "of", "at", "de"):
+        ends = parts[1] in inflection.prepositions or parts[1] in inflection.noun_phrase_ends
+        if len(parts) > 2 and ends:
             return "", parts[0], noun[len(parts[0]) :]
-        if len(parts) == 2 and parts[0].endswith("er") and parts[1] in ("by", "on", "up", "in"):
+        if len(parts) == 2 and parts[0].endswith("er") and (ends or parts[1] == "up"):
             return "", parts[0], noun[len(parts[0]) :]
         return noun[: -len(parts[-1])] if parts[-1] else "", parts[-1] or noun, ""
     return "", noun, ""
@@ -225,16 +227,12 @@ def _head(noun: str, inflection: Inflection) -> tuple[str, str, str]:
 
 def countability(noun: str, inflection: Inflection) -> Countability:
     """Return whether a noun has a plural, only a plural, or comes in pairs: furniture, scissors."""
-    _, word, _ = _head(noun, inflection)
-    if word in inflection.pairs:
-        return "pair"
-    if word in inflection.plural_only:
-        return "plural_only"
-    if word in inflection.uncountable:
-        return "uncountable"
-    if word.endswith(inflection.uncountable_ends) and word not in inflection.countable:
-        return "uncountable"
-    return "countable"
+    if " " in noun or "-" in noun:
+        noun = _head(noun, inflection)[1]
+    found = inflection.countability.get(noun)
+    if found:
+        return found
+    return "uncountable" if noun.endswith(inflection.uncountable_ends) else "countable"
 
 
 # Adjectives and adverbs
@@ -248,7 +246,7 @@ def inflect_adjective(adjective: str, degree: Degree, inflection: Inflection) ->
     if forms:
         return forms[degree == "superlative"]
     if not _takes_er(adjective, inflection):
-        return f"{'more' if degree == 'comparative' else 'most'} {adjective}"
+        return f"{inflection.more if degree == 'comparative' else inflection.most} {adjective}"
     ending = "er" if degree == "comparative" else "est"
     if adjective.endswith("e"):
         return adjective[:-1] + ending
@@ -290,9 +288,9 @@ def spell(word: str, inflection: Inflection) -> str:
     found = spellings.get(word)
     if found:
         return found
-    for ending in ("ation", "er"):
-        if word.endswith(ending):
-            found = spellings.get(word[: -len(ending)] + "e")
+    if word.endswith(_DERIVED):
+        for ending in _DERIVED:
+            found = spellings.get(word.removesuffix(ending) + "e")
             if found:
                 return found[:-1] + ending
     return word

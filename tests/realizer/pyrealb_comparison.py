@@ -1,176 +1,132 @@
-"""Ours against pyrealb's."""
+"""Thousands of specifications said by our realizer and by pyrealb: where they differ, and why.
+
+`python -m tests.realizer.pyrealb_comparison` prints the counts and each class of differences.
+pyrealb is a second opinion, not the truth: pyrealb_differences.yaml says for each class who is
+right. A class is found by mending: its rule rewrites pyrealb's text in that one point, and a
+difference is explained if the rules together turn pyrealb's text into ours, letter by letter.
+"""
 
 from __future__ import annotations
 
 import contextlib
 import io
-from collections.abc import Callable, Iterator
-from itertools import count, product
+from collections import Counter
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
 from typing import Any, NamedTuple
 
 from personage_lite.realizer.files import read_data
-from tests.realizer.pyrealb_grid import *
+from tests.realizer.pyrealb_grid import GRID, read_words
+from tests.realizer.pyrealb_rules import RULES, Pair, Rule, listed
+from tests.realizer.pyrealb_translation import ours, theirs
+
+FILE = Path(__file__).with_name("pyrealb_differences.yaml")
+WHO = ("ours", "both", "not comparable", "theirs")
 
 
-def _thing(node: dict[str, Any]) -> Thing:
-    fields = dict(node)
-    if "owner" in fields:
-        fields["owner"] = _thing(fields["owner"])
-    fields["adjectives"] = tuple(fields.get("adjectives", ()))
-    return Thing(**fields)
+class Review(NamedTuple):
+    """What was found of one class of differences."""
+
+    who: str
+    why: str
+    # our text and pyrealb's
+    example: tuple[str, str]
+    # pyrealb's words with ours, where the class is about single words
+    words: dict[str, str]
 
 
-def grid() -> Iterator[tuple[str, Described]]:
-    """Yield every description, with its kind."""
-    data = read_data(str(FILE))
-    words = {key: tuple(block.split()) for key, block in data["words"].items()}
-    things = [_thing(node) for node in data["subjects"]]
-    joints = [Joint(tuple(map(_thing, node["items"])), node["conjunction"]) for node in data["joints"]]
-    objects = [_thing(node) for node in data["objects"]]
-    subjects = [*things, *joints]
-    for described in _verb_groups(words, things, objects):
-        yield "verb group", described
-    for described in _copulas(words, subjects):
-        yield "copula", described
-    for described in _agreement(words, subjects, objects):
-        yield "agreement", described
-    for described in _questions(words, subjects):
-        yield "question", described
-    for described in _others(words, subjects, objects):
-        yield "other clause", described
-    for described in _phrases(words, things):
-        yield "noun phrase", described
-    for described in _words(words):
-        yield "word", described
+class Comparison(NamedTuple):
+    """What came out; a pair that differs in several points is in several classes."""
+
+    pairs: list[Pair]
+    classes: dict[str, list[Pair]]
+    unexplained: list[Pair]
+
+    @property
+    def differing(self) -> list[Pair]:
+        """Return the pairs whose texts differ."""
+        return [pair for pair in self.pairs if pair.ours != pair.theirs]
 
 
-TIMES = [*({"tense": tense} for tense in TENSES), *({"modal": modal} for modal in MODALS)]
-FLAGS = (False, True)
+@cache
+def _data() -> dict[str, Any]:
+    found: dict[str, Any] = read_data(str(FILE))
+    return found
 
 
-def _verb_groups(words, subjects, objects):
-    """Every tense and modal with each aspect, voice, negation, question and contraction."""
-    turn = count()
-    axes = product(TIMES, FLAGS, FLAGS, FLAGS, ("", "tag", "yes/no", "who", "what object", "why"), FLAGS, FLAGS)
-    for time, perfect, progressive, passive, question, negated, contracted in axes:
-        if passive and question == "what object":
-            continue
-        i = next(turn)
-        event = Event(
-            words["transitive"][i % 15],
-            subjects[i % len(subjects)],
-            objects[i % len(objects)],
-            perfect=perfect, progressive=progressive, passive=passive, negated=negated, contracted=contracted,
-            **time,
+def reviews() -> dict[str, Review]:
+    """Return the reviewed classes by id."""
+    return {
+        name: Review(
+            row["who"],
+            row["why"],
+            (row["example"][0], row["example"][1]),
+            dict(_two(words) for words in row.get("words", "").split()),
         )
-        yield event._replace(tag=True) if question == "tag" else event._replace(question=question)
+        for name, row in _data()["classes"].items()
+    }
 
 
-def _copulas(words, subjects):
-    place = ("in", Thing("garden", "the"))
-    turn = count()
-    for time, perfect, question, negated, contracted in product(TIMES, FLAGS, ("", "tag", "yes/no", "why", "where", "who"), FLAGS, FLAGS):
-        for _ in range(2):
-            i = next(turn)
-            event = Event("be", subjects[i % len(subjects)], complement=words["complements"][i % 5], perfect=perfect, negated=negated, contracted=contracted, **time)
-            if question == "where":
-                event = event._replace(complement="", place=place)
-            yield event._replace(tag=True) if question == "tag" else event._replace(question=question)
+def _two(words: str) -> tuple[str, str]:
+    its, mine = words.replace("_", " ").split("/")
+    return its, mine
 
 
-def _agreement(words, subjects, objects):
-    turn = count()
-    verbs = [*((verb, True) for verb in words["transitive"]), *((verb, False) for verb in words["intransitive"])]
-    for subject, (verb, transitive), tense in product(subjects, verbs, TENSES):
-        i = next(turn)
-        object_ = objects[i % len(objects)] if transitive else None
-        event = Event(verb, subject, object_, tense=tense)
-        yield event
-        yield (event._replace(negated=True, contracted=True), event._replace(tag=True), event._replace(question="yes/no", contracted=True), event._replace(tag=True, negated=True))[i % 4]
+def compare() -> Comparison:
+    """Return all pairs with the classes of those that differ; pyrealb's warnings stay unsaid."""
+    rules = {**RULES, **{name: listed(row.words) for name, row in reviews().items() if row.words}}
+    found = Comparison([], {name: [] for name in rules}, [])
+    with contextlib.redirect_stderr(io.StringIO()):
+        found.pairs.extend(_pairs())
+    for pair in found.differing:
+        names, text = _explain(pair, rules)
+        if text != pair.ours:
+            found.unexplained.append(pair)
+        else:
+            for name in names:
+                found.classes[name].append(pair)
+    return found
 
 
-def _questions(words, subjects):
-    turn = count()
-    place = ("in", Thing("house", "the"))
-    for time, perfect, progressive, negated, contracted, question in product(TIMES, FLAGS, FLAGS, FLAGS, FLAGS, ("", "where", "when", "how", "to whom", "with what", "how much", "what")):
-        i = next(turn)
-        event = Event(words["intransitive"][i % 10], subjects[i % len(subjects)], perfect=perfect, progressive=progressive, negated=negated, contracted=contracted, question=question, **time)
-        yield event._replace(place=place) if question in ("", "what") else event
+def _pairs() -> Iterator[Pair]:
+    words = read_words(_data())
+    for part, described in GRID.items():
+        for said in described(words):
+            yield Pair(part, said, ours(said), theirs(said))
 
 
-def _others(words, subjects, objects):
-    for i, (verb, person, negated, contracted) in enumerate(product(words["transitive"], ((2, False), (1, True)), FLAGS, FLAGS)):
-        yield Event(verb, Thing(person=person[0], plural=person[1]), objects[i % len(objects)], imperative=True, negated=negated, contracted=contracted)
-    for subject, verb in product(subjects, ("sleep", "run")):
-        yield Event(verb, subject, exclaimed=True)
-        for adverb, perfect, progressive, modal in product(("often", "never", "always"), FLAGS, FLAGS, ("", "can")):
-            yield Event(verb, subject, adverb=adverb, perfect=perfect, progressive=progressive, modal=modal)
-    for subject in subjects[:7]:
-        yield Event("wash", subject, subject._replace(reflexive=True))
-        yield Event("see", Thing("Alice", gender="feminine"), subject, tense="past")
-        yield Event("play", Thing("Alice", gender="feminine"), place=("with", subject))
-        yield Event("see", Thing("Alice", gender="feminine"), subject, tense="past", passive=True)
-        yield Event("see", subject, Thing("Alice", gender="feminine"), tense="past", passive=True)
-    girl, cake = Thing("girl", "the", gender="feminine"), Thing("cake", "the")
-    for tense, perfect, plural, word in product(TENSES, FLAGS, FLAGS, ("that", "who", "which")):
-        for verb in ("eat", "see", "stop", "be"):
-            inner = Event(verb, None, None if verb == "be" else cake, "happy" if verb == "be" else "", tense=tense, perfect=perfect)
-            head = girl if word == "who" else Thing("dog", "a")
-            yield Event("come", head._replace(plural=plural, relative=(word, inner)), tense="past")
-            if verb != "be":
-                yield Event("come", head._replace(plural=plural, relative=(word, inner._replace(subject=Thing(plural=plural, gender="feminine"), object=None))), tense="past")
-    for conjunction, number in product(("and", "or", "but"), (2, 3, 4)):
-        for start in range(0, 12, 2):
-            yield Event("be", subjects[start], complement=Joint(words["adjectives"][start : start + number], conjunction))
+def _explain(pair: Pair, rules: dict[str, Rule]) -> tuple[list[str], str]:
+    """Return the classes that a pair is in, and pyrealb's text mended by their rules."""
+    names, text = [], pair.theirs
+    for name, rule in rules.items():
+        mended = rule(pair, text)
+        if mended != text:
+            names.append(name)
+            text = mended
+    return names, text
 
 
-def _phrases(words, things):
-    for noun in words["nouns"]:
-        yield Thing(noun, "the", plural=True)
-    for determiner, noun, plural, adjectives in product(("the", "a", "this", "that", "some", "every", "no"), ("cat", "hour", "child", "furniture", "box", "wolf"), FLAGS, ((), ("old",), ("small", "honest"), ("ugly", "black"))):
-        if noun == "furniture" and (plural or determiner in ("a", "every")) or plural and determiner == "every":
-            continue
-        yield Thing(noun, determiner, plural=plural, adjectives=adjectives)
-    for noun in words["after_a"]:
-        yield Thing(noun, "a") if pyrealb().getLemma(noun) and "N" in pyrealb().getLemma(noun) else Thing("thing", "a", adjectives=(noun,))
-    owners = (*things[:7], Thing("Alice"), Thing("James"), *(Thing(noun, "the", plural) for noun, plural in product(("cat", "child", "boss", "lady"), FLAGS)))
-    for owner, noun, plural in product(owners, ("hat", "foot", "party"), FLAGS):
-        yield Thing(noun, owner=owner, plural=plural)
-    for number, noun in product((1, 2, 3, 10, 21), ("mouse", "box", "party", "sheep")):
-        yield Thing(noun, count=number)
-        yield Thing(noun, "the", count=number)
-    for conjunction, number, start in product(("and", "or"), (2, 3, 4), range(0, 16, 2)):
-        yield Joint((*things, *things)[start : start + number], conjunction)
-
-
-def _words(words):
-    for verb in words["verbs"]:
-        for tense, perfect, progressive in (("present", False, False), ("past", False, False), ("present", True, False), ("present", False, True)):
-            yield Event(verb, Thing(gender="feminine"), tense=tense, perfect=perfect, progressive=progressive)
-    for word, kind in product(words["adjectives"], ("more", "most")):
-        yield Word(kind, word)
-    for kind in ("cardinal", "ordinal", "date"):
-        for word in words[kind + "s"]:
-            yield Word(kind, word)
+def main() -> None:
+    """Print the counts and every class with its example."""
+    found, reviewed = compare(), reviews()
+    differing = Counter(pair.part for pair in found.differing)
+    total = len(found.pairs)
+    equal = total - differing.total()
+    print(f"{total} pairs, {equal} equal ({100 * equal / total:.1f} %)")
+    for part, count in Counter(pair.part for pair in found.pairs).items():
+        print(f"  {part}: {count} pairs, {differing[part]} differ")
+    for who in WHO:
+        members = {name: row for name, row in reviewed.items() if row.who == who}
+        said = {pair for name in members for pair in found.classes.get(name, ())}
+        print(f"\n{who}: {len(said)} pairs in {len(members)} classes")
+        for name, row in members.items():
+            print(f"  {len(found.classes.get(name, ())):4} {name}: {row.why}")
+            print(f"       ours: {row.example[0]}  pyrealb: {row.example[1]}")
+    print(f"\nnot explained: {len(found.unexplained)}")
+    for pair in found.unexplained:
+        print(f"  ours: {pair.ours}  pyrealb: {pair.theirs}")
 
 
 if __name__ == "__main__":
-    import time
-    from collections import Counter
-    t0=time.time()
-    n=Counter(); d={}; tt=0
-    for kind, said in grid():
-        n[kind]+=1
-        err=io.StringIO()
-        with contextlib.redirect_stderr(err):
-            try: o=ours(said)
-            except Exception as e: o=f"<{e}>"
-            t1=time.time()
-            try: th=theirs(said)
-            except Exception as e: th=f"<{type(e)} {e}>"
-            tt+=time.time()-t1
-        if err.getvalue(): th=f"<<{err.getvalue().strip()}>> "+th
-        if o!=th: d.setdefault(kind,[]).append((said,o,th))
-    print(n,sum(n.values()),time.time()-t0,tt,{k:len(v) for k,v in d.items()})
-    import pickle
-    pickle.dump(d,open("/tmp/diffs.pkl","wb"))
+    main()

@@ -1,294 +1,214 @@
-"""What pyrealb and our realizer are both asked to say: neutral descriptions and their two forms.
-
-A description is a `Thing`, a `Joint`, an `Event` or a `Word`. `ours` and `theirs` say it, each
-realizer in its own terms. Realizing spoils pyrealb's trees, so they are built anew each time.
-"""
+"""What pyrealb and our realizer are both asked to say, built systematically from word lists."""
 
 from __future__ import annotations
 
-import warnings
-from collections.abc import Callable
-from functools import cache
-from importlib import import_module
-from typing import Any, NamedTuple, TypeAlias
+from collections.abc import Callable, Iterator
+from itertools import count, product
+from typing import Any, NamedTuple
 
-from personage_lite import english
-from personage_lite.realizer import (
-    AdjectivePhrase,
-    Clause,
-    Coordination,
-    Date,
-    NounPhrase,
-    Numeral,
-    Phrase,
-    PrepositionalPhrase,
-    Question,
-    Relative,
-    Sentence,
-)
-from personage_lite.realizer.specification import Degree, Gender, Mood, Person, Role, Tense
+from tests.realizer.pyrealb_translation import MODALS, TENSES, Described, Event, Joint, Thing, Word
+
+FLAGS = (False, True)
+TIMES: list[dict[str, Any]] = [
+    *({"tense": tense} for tense in TENSES),
+    *({"modal": modal} for modal in MODALS),
+]
 
 
-class Thing(NamedTuple):
-    """A noun phrase: without a noun a pronoun, with a capital a name; `owner` has it."""
+class Words(NamedTuple):
+    """What the grid is built of, from the file."""
 
-    noun: str = ""
-    determiner: str = ""
-    plural: bool = False
-    gender: Gender = "neuter"
-    person: Person = 3
-    adjectives: tuple[str, ...] = ()
-    owner: Thing | None = None
-    count: int | None = None
-    reflexive: bool = False
-    relative: tuple[str, Event] | None = None
+    lists: dict[str, tuple[str, ...]]
+    things: list[Thing]
+    objects: list[Thing]
+    subjects: list[Thing | Joint]
 
 
-class Joint(NamedTuple):
-    """Several noun phrases or adjectives joined."""
-
-    items: tuple[Thing | str, ...]
-    conjunction: str = "and"
+# The grid
 
 
-class Event(NamedTuple):
-    """A clause in the active voice; a passive one turns subject and object round."""
-
-    verb: str
-    subject: Thing | Joint | None = None
-    object: Thing | Joint | None = None
-    complement: Thing | Joint | str = ""
-    place: tuple[str, Thing] | None = None
-    adverb: str = ""
-    tense: Tense = "present"
-    modal: str = ""
-    perfect: bool = False
-    progressive: bool = False
-    passive: bool = False
-    negated: bool = False
-    contracted: bool = False
-    question: str = ""
-    tag: bool = False
-    exclaimed: bool = False
-    imperative: bool = False
+def _thing(node: dict[str, Any]) -> Thing:
+    owner = _thing(node["owner"]) if "owner" in node else None
+    return Thing(**{**node, "owner": owner, "adjectives": tuple(node.get("adjectives", ()))})
 
 
-class Word(NamedTuple):
-    """A number, a date or a graded adjective by itself: its kind and the word."""
+def read_words(data: dict[str, Any]) -> Words:
+    things = [_thing(node) for node in data["subjects"]]
+    joints = (Joint(tuple(map(_thing, row["items"])), row["conjunction"]) for row in data["joints"])
+    lists = {key: tuple(block.split()) for key, block in data["words"].items()}
+    return Words(lists, things, [_thing(node) for node in data["objects"]], [*things, *joints])
 
-    kind: str
-    word: str
+
+def _asked(event: Event, question: str) -> Event:
+    return event._replace(tag=True) if question == "tag" else event._replace(question=question)
 
 
-Described: TypeAlias = Thing | Joint | Event | Word
-# Of a question: pyrealb's word for it, its words in ours, and what they are in the clause.
-QUESTIONS: dict[str, tuple[str, Phrase, Role]] = {
-    "who": ("wos", "who", "subject"),
-    "what": ("was", "what", "subject"),
-    "who object": ("wod", "who", "object"),
-    "what object": ("wad", "what", "object"),
-    "to whom": ("woi", PrepositionalPhrase("to", "whom"), "adverbial"),
-    "with what": ("wai", PrepositionalPhrase("with", "what"), "adverbial"),
-    "where": ("whe", "where", "adverbial"),
-    "when": ("whn", "when", "adverbial"),
-    "why": ("why", "why", "adverbial"),
-    "how": ("how", "how", "adverbial"),
-    "how much": ("muc", "how much", "adverbial"),
+def _verb_groups(words: Words) -> Iterator[Described]:
+    """Every tense and modal with each aspect, voice, negation, question and contraction."""
+    turn = count()
+    questions = ("", "tag", "yes/no", "who", "what object", "why")
+    transitive, objects = words.lists["transitive"], words.objects
+    for time, question, *flags in product(TIMES, questions, *[FLAGS] * 5):
+        perfect, progressive, passive, negated, contracted = flags
+        if passive and question == "what object":
+            continue
+        i = next(turn)
+        object_ = objects[i // 3 % len(objects)]
+        if passive and not object_.noun and object_.gender == "neuter":
+            object_ = objects[0]  # pyrealb's passive of I and they has a class of its own
+        event = Event(
+            transitive[(i + i // 32) % len(transitive)],
+            words.things[i % len(words.things)],
+            object_,
+            perfect=perfect,
+            progressive=progressive,
+            passive=passive,
+            negated=negated,
+            contracted=contracted,
+            **time,
+        )
+        yield _asked(event, question)
+
+
+def _copulas(words: Words) -> Iterator[Described]:
+    """`be` with a complement or a place, with every subject in turn."""
+    turn = count()
+    questions = ("", "tag", "yes/no", "why", "where", "who")
+    for time, question, *flags, _ in product(TIMES, questions, *[FLAGS] * 4):
+        i = next(turn)
+        complement = "" if question == "where" else words.lists["complements"][i % 5]
+        event = Event("be", words.subjects[i % len(words.subjects)], None, complement, **time)
+        perfect, negated, contracted = flags
+        event = event._replace(perfect=perfect, negated=negated, contracted=contracted)
+        yield _asked(event, question)
+
+
+def _agreement(words: Words) -> Iterator[Described]:
+    """Every verb with every subject in every tense, plain and in one other way in turn."""
+    turn = count()
+    verbs = [*((verb, True) for verb in words.lists["transitive"])]
+    verbs += [(verb, False) for verb in words.lists["intransitive"]]
+    for subject, (verb, transitive), tense in product(words.subjects, verbs, TENSES):
+        i = next(turn)
+        object_ = words.objects[i % len(words.objects)] if transitive else None
+        event = Event(verb, subject, object_, tense=tense)
+        yield event
+        if i % 4 == 0:
+            yield event._replace(negated=True, contracted=True)
+        elif i % 4 == 2:
+            yield event._replace(question="yes/no", contracted=True)
+        else:
+            yield event._replace(tag=True, negated=i % 8 == 1)
+
+
+def _questions(words: Words) -> Iterator[Described]:
+    """Questions of verbs without an object."""
+    asked = ("where", "when", "how", "to whom", "with what", "how much", "what")
+    place = ("in", Thing("house", "the"))
+    for i, (time, question, *flags) in enumerate(product(TIMES, asked, *[FLAGS] * 4)):
+        perfect, progressive, negated, contracted = flags
+        yield Event(
+            words.lists["intransitive"][i % 10],
+            words.subjects[i % len(words.subjects)],
+            place=place if question == "what" else None,
+            perfect=perfect,
+            progressive=progressive,
+            negated=negated,
+            contracted=contracted,
+            question=question,
+            **time,
+        )
+
+
+def _other_clauses(words: Words) -> Iterator[Described]:
+    """Imperatives, exclamations, adverbs, pronouns in every place, relatives, coordination."""
+    alice, objects = Thing("Alice", gender="feminine"), words.objects
+    persons = (Thing(person=2), Thing(person=1, plural=True))
+    for i, (verb, you, *flags) in enumerate(
+        product(words.lists["transitive"], persons, FLAGS, FLAGS)
+    ):
+        event = Event(verb, you, objects[i % len(objects)], imperative=True)
+        yield event._replace(negated=flags[0], contracted=flags[1])
+    for i, (verb, tense, perfect) in enumerate(product(words.lists["transitive"], TENSES, FLAGS)):
+        event = Event(verb, words.things[i % len(words.things)], alice, tense=tense)
+        yield event._replace(perfect=perfect, question="who object")
+    for subject in words.subjects:
+        yield Event("sleep", subject, exclaimed=True)
+        for adverb, *flags, modal in product(("often", "never"), FLAGS, FLAGS, ("", "can")):
+            event = Event("sleep", subject, adverb=adverb, modal=modal)
+            yield event._replace(perfect=flags[0], progressive=flags[1])
+    for thing in words.things[:7]:
+        yield Event("wash", thing, thing._replace(reflexive=True))
+        yield Event("play", alice, place=("with", thing))
+        yield Event("see", alice, thing, tense="past")
+        yield Event("see", thing, alice, tense="past", passive=True)
+        for tense, question in product(TENSES, ("", "yes/no", "tag")):
+            yield _asked(Event("see", alice, thing, tense=tense, passive=True), question)
+    cake = Thing("cake", "the")
+    for tense, perfect, plural, word in product(TENSES, FLAGS, FLAGS, ("that", "who", "which")):
+        head = Thing("girl" if word == "who" else "dog", "the", plural)
+        she = Thing(plural=plural, gender="feminine")
+        whole = Event("be", None, None, "happy", tense=tense, perfect=perfect)
+        for inner in (
+            whole,
+            *(whole._replace(verb=verb, object=cake, complement="") for verb in ("eat", "stop")),
+            *(whole._replace(verb=verb, subject=she, complement="") for verb in ("see", "have")),
+        ):
+            yield Event("come", head._replace(relative=(word, inner)), tense="past")
+    adjectives = words.lists["adjectives"]
+    for i, word, number in product(range(0, 12, 2), ("and", "or", "but"), (2, 3, 4)):
+        yield Event("be", words.subjects[i], None, Joint(adjectives[i : i + number], word))
+
+
+def _noun_phrases(words: Words) -> Iterator[Described]:
+    """Plurals, determiners and adjectives, "a" and "an", owners, counts, coordination."""
+    for noun in words.lists["nouns"]:
+        yield Thing(noun, "the", plural=True)
+    determiners = ("the", "a", "this", "that", "some", "every", "no")
+    nouns = ("cat", "hour", "child", "furniture", "box", "wolf")
+    lists: tuple[tuple[str, ...], ...] = ((), ("old",), ("small", "honest"), ("ugly", "black"))
+    for determiner, noun, plural, adjectives in product(determiners, nouns, FLAGS, lists):
+        single = plural or noun == "furniture"
+        if not (single and determiner in ("a", "every")) and not (plural and noun == "furniture"):
+            yield Thing(noun, determiner, plural, adjectives=adjectives)
+    for word in words.lists["a_nouns"]:
+        yield Thing(word, "a")
+    for word in words.lists["a_adjectives"]:
+        yield Thing("thing", "a", adjectives=(word,))
+    owners = [*words.things[:7], Thing("Alice"), Thing("James")]
+    owners += [Thing(*row) for row in product(("cat", "child", "boss", "lady"), ("the",), FLAGS)]
+    for owner, noun, plural in product(owners, ("hat", "foot", "party"), FLAGS):
+        yield Thing(noun, owner=owner, plural=plural)
+    for number, noun, determiner in product((1, 2, 3, 10, 21), nouns[2:], ("", "the")):
+        if noun != "furniture":
+            yield Thing(noun, determiner, cardinal=number)
+    named = tuple(thing for thing in words.things if thing.noun) * 2
+    for word, number, start in product(("and", "or"), (2, 3, 4), range(12)):
+        yield Joint(named[start : start + number], word)
+
+
+def _single_words(words: Words) -> Iterator[Described]:
+    """Verb forms, degrees, numbers and dates."""
+    she, lists = Thing(gender="feminine"), words.lists
+    for verb in lists["verbs"]:
+        yield Event(verb, she)
+        yield Event(verb, she, tense="past")
+        yield Event(verb, she, perfect=True)
+        yield Event(verb, she, progressive=True)
+    for word, kind in product(lists["adjectives"], ("more", "most")):
+        yield Word(kind, word)
+    for kind in ("cardinal", "ordinal", "date"):
+        for word in lists[kind + "s"]:
+            yield Word(kind, word)
+
+
+# Each part of the grid, by its name.
+GRID: dict[str, Callable[[Words], Iterator[Described]]] = {
+    "verb groups": _verb_groups,
+    "copulas": _copulas,
+    "agreement": _agreement,
+    "questions": _questions,
+    "other clauses": _other_clauses,
+    "noun phrases": _noun_phrases,
+    "single words": _single_words,
 }
-# Of a modal: pyrealb's word for what it means, and its tense.
-MODALS = {
-    **{"can": ("poss", "p"), "could": ("poss", "ps"), "may": ("perm", "p"), "might": ("perm", "ps")},
-    **{"shall": ("nece", "p"), "should": ("nece", "ps"), "must": ("obli", "p")},
-    **{"will": ("will", "p"), "would": ("will", "ps")},
-}
-TENSES: dict[Tense, str] = {"present": "p", "past": "ps", "future": "f"}
-_DEGREES: dict[str, Degree] = {"more": "comparative", "most": "superlative"}
-_OBJECTS = ("who object", "what object")
-
-
-# Ours
-
-
-@cache
-def _realizer(american: bool) -> Callable[[Sentence | Phrase], str]:
-    return english("american" if american else "british").realize
-
-
-def ours(said: Described) -> str:
-    """Return what our realizer says; numbers and dates in American English, as pyrealb does."""
-    if isinstance(said, Event):
-        tag = "auto" if said.tag else ""
-        return _realizer(False)(Sentence(_clause(said), tag=tag, terminal="!" * said.exclaimed))
-    american = isinstance(said, Word) and said.kind in ("cardinal", "ordinal", "date")
-    return _realizer(american)(_phrase(said)).removesuffix(".")
-
-
-def _phrase(said: Thing | Joint | Word | str) -> Phrase:
-    if isinstance(said, Joint):
-        return Coordination(tuple(_phrase(item) for item in said.items), said.conjunction)
-    if isinstance(said, str):
-        return AdjectivePhrase(said)
-    if isinstance(said, Word):
-        if said.kind == "date":
-            year, month, day = (int(part) for part in said.word.split("-"))
-            return Date(year, month, day, weekday=True)
-        if said.kind in ("cardinal", "ordinal"):
-            return Numeral(int(said.word), ordinal=said.kind == "ordinal")
-        return AdjectivePhrase(said.word, degree=_DEGREES[said.kind])
-    relative = None
-    if said.relative is not None:
-        word, event = said.relative
-        role: Role = "subject" if event.subject is None else "object"
-        relative = Relative(_clause(event), role, restrictive=True, word=word)
-    return NounPhrase(
-        said.noun,
-        said.determiner,
-        tuple(AdjectivePhrase(word) for word in said.adjectives),
-        _phrase(said.owner) if said.owner else None,
-        "plural" if said.plural else "singular",
-        said.gender,
-        said.person,
-        pronoun=not said.noun,
-        reflexive=said.reflexive,
-        cardinal=said.count,
-        relative=relative,
-    )
-
-
-def _clause(event: Event) -> Clause:
-    place = None if event.question == "where" else event.place
-    subject = _phrase(event.subject) if event.subject else None
-    object_ = _phrase(event.object) if event.object else None
-    question = None
-    if event.question in QUESTIONS:
-        _, words, role = QUESTIONS[event.question]
-        question = Question(words, role)
-        if role == "subject":
-            subject, object_ = (subject, None) if event.passive else (None, object_)
-    agent = None
-    if event.passive:
-        subject, object_, agent = object_, None, subject
-    mood: Mood = "interrogative" if event.question else "declarative"
-    return Clause(
-        event.verb,
-        subject,
-        object=None if event.question in _OBJECTS else object_,
-        complement=_phrase(event.complement) if event.complement else None,
-        adverbials=(PrepositionalPhrase(place[0], _phrase(place[1])),) if place else (),
-        adverbs=(event.adverb,) if event.adverb else (),
-        tense=event.tense,
-        modal=event.modal,
-        perfect=event.perfect,
-        progressive=event.progressive,
-        passive=event.passive,
-        negated=event.negated,
-        contracted=event.contracted,
-        mood="imperative" if event.imperative else mood,
-        question=question,
-        agent=agent,
-    )
-
-
-# Theirs
-
-
-@cache
-def pyrealb() -> Any:
-    """Return pyrealb, imported when it is first asked for."""
-    with warnings.catch_warnings(action="ignore"):
-        return import_module("pyrealb")
-
-
-def theirs(said: Described) -> str:
-    """Return what pyrealb says; it has no capital for a phrase."""
-    text: str = _tree(said).realize().rstrip()
-    return text if isinstance(said, Event) else text[:1].upper() + text[1:]
-
-
-def _tree(said: Described | str, pronoun: str = "me") -> Any:
-    """Return pyrealb's tree; `pronoun` is I for a subject, me for an object."""
-    p = pyrealb()
-    if isinstance(said, Event):
-        return _sentence(said, p)
-    if isinstance(said, str):
-        return p.A(said)
-    if isinstance(said, Joint):
-        return p.CP(p.C(said.conjunction), *(_tree(item, pronoun) for item in said.items))
-    if isinstance(said, Word):
-        if said.kind == "date":
-            parts = dict.fromkeys(("hour", "minute", "second", "det"), False)
-            return p.DT(said.word).dOpt(parts)
-        if said.kind in ("cardinal", "ordinal"):
-            return p.NO(int(said.word)).dOpt({"nat" if said.kind == "cardinal" else "ord": True})
-        return p.A(said.word).f("co" if said.kind == "more" else "su")
-    number, gender = "p" if said.plural else "s", said.gender[0]
-    if not said.noun:
-        tree = p.Pro(pronoun).pe(said.person).n(number).g(gender)
-        return tree.tn("refl") if said.reflexive else tree
-    words = [p.D(said.determiner)] if said.determiner else []
-    if said.owner:
-        words.extend(_owner(said.owner, p))
-    if said.count is not None:
-        words.append(p.NO(said.count).nat())
-    words.extend(p.A(word) for word in said.adjectives)
-    words.append(p.Q(said.noun) if said.noun[0].isupper() else p.N(said.noun))
-    if said.relative is not None:
-        word, event = said.relative
-        subject = [_tree(event.subject, "I")] if event.subject else []
-        inner = p.SP(p.Pro(word), *subject, _verbs(event, p))
-        words.append(inner.typ({"perf": True}) if event.perfect else inner)
-    tree = p.NP(*words).g(gender)
-    return tree if said.count is not None else tree.n(number)
-
-
-def _owner(owner: Thing, p: Any) -> list[Any]:
-    """Return the words that stand for the owner."""
-    number = "p" if owner.plural else "s"
-    if not owner.noun:
-        return [p.D("my").pe(owner.person).ow(number).g(owner.gender[0])]
-    if owner.noun[0].isupper():
-        return [p.Q(owner.noun).poss()]
-    return [p.D(owner.determiner), p.N(owner.noun).n(number).poss()]
-
-
-def _verbs(event: Event, p: Any) -> Any:
-    """Return the verb phrase; an adverb goes after the verb if it is to follow an auxiliary."""
-    tense = MODALS[event.modal][1] if event.modal else TENSES[event.tense]
-    words = [p.V(event.verb).t("ip" if event.imperative else tense)]
-    if event.adverb:
-        after = event.modal or event.perfect or event.progressive or event.tense == "future"
-        words.insert(1 if after else 0, p.Adv(event.adverb))
-    if event.object:
-        words.append(_tree(event.object))
-    if event.complement:
-        words.append(_tree(event.complement))
-    if event.place:
-        words.append(p.PP(p.P(event.place[0]), _tree(event.place[1])))
-    elif event.question in ("to whom", "with what"):
-        words.append(p.PP(p.P(event.question.split(" ")[0]), p.Pro("me").pe(3)))
-    return p.VP(*words)
-
-
-def _sentence(event: Event, p: Any) -> Any:
-    """Return the sentence; what is asked for must stand in it, and pyrealb takes it out."""
-    if event.question in ("who", "what"):
-        asked = Thing("Alice")
-        event = event._replace(**{"object" if event.passive else "subject": asked})
-    verbs = _verbs(event, p)
-    if event.imperative and isinstance(event.subject, Thing):
-        verbs.elements[0].pe(event.subject.person).n("p" if event.subject.plural else "s")
-    options = {
-        "neg": event.negated,
-        "pas": event.passive,
-        "prog": event.progressive,
-        "perf": event.perfect,
-        "contr": event.contracted,
-        "exc": event.exclaimed,
-        "mod": event.modal and MODALS[event.modal][0],
-    }
-    if event.tag:
-        options["int"] = "tag"
-    elif event.question:
-        options["int"] = QUESTIONS[event.question][0] if event.question in QUESTIONS else "yon"
-    subject = [_tree(event.subject, "I")] if event.subject and not event.imperative else []
-    return p.S(*subject, verbs).typ({key: value for key, value in options.items() if value})
