@@ -6,7 +6,14 @@ from typing import TypeAlias
 
 from personage_lite.realizer.grammar import Grammar
 from personage_lite.realizer.inflection import Countability
-from personage_lite.realizer.specification import Cased, Coordination, NounPhrase, Phrase, Text
+from personage_lite.realizer.specification import (
+    Cased,
+    Clause,
+    Coordination,
+    NounPhrase,
+    Phrase,
+    Text,
+)
 from personage_lite.realizer.words import countability
 
 # Person, and whether it is plural.
@@ -25,13 +32,23 @@ def agreement(phrase: Phrase | None, grammar: Grammar) -> Agreement:
     if isinstance(phrase, Coordination):
         if phrase.conjunction in grammar.disjunctive or len(phrase.items) == 1:
             return agreement(phrase.items[-1], grammar)
-        if all(not isinstance(item, NounPhrase | Text | str) for item in phrase.items):
-            return THIRD_SINGULAR  # "To see and to know is …"
+        if not any(_many(item, grammar) for item in phrase.items):
+            return THIRD_SINGULAR  # "To see and to know is …", "every card and every king is …"
         return min(agreement(item, grammar)[0] for item in phrase.items), True
     if isinstance(phrase, Text) and len(phrase.parts) == 1:
         part = phrase.parts[0]
         return agreement(part.phrase if isinstance(part, Cased) else part, grammar)
     return THIRD_SINGULAR
+
+
+def _many(phrase: Phrase, grammar: Grammar) -> bool:
+    """Whether a phrase makes those that it is joined to plural."""
+    if isinstance(phrase, NounPhrase):
+        forms = grammar.determiners.get(phrase.determiner)
+        return forms is None or forms.number != "singular"
+    if isinstance(phrase, Clause):
+        return phrase.form == "present_participle"  # "Reading and writing are …"
+    return isinstance(phrase, Text | str)
 
 
 def is_plural(phrase: NounPhrase, grammar: Grammar) -> bool:
@@ -44,16 +61,19 @@ def is_plural(phrase: NounPhrase, grammar: Grammar) -> bool:
 def number_and_kind(phrase: NounPhrase, grammar: Grammar) -> tuple[bool, Countability]:
     """Return whether a phrase that is no pronoun is plural, and the countability of its noun."""
     plural = phrase.number == "plural"
-    if phrase.determiner:
+    if phrase.determiner or phrase.predeterminer:
+        before = grammar.determiners.get(phrase.predeterminer)
         forms = grammar.determiners.get(phrase.determiner)
-        if forms is not None and forms.number:
-            plural = forms.number == "plural"
+        if forms is not None and (forms.number or forms.singly):
+            before = forms  # "many a cat was", "both the cats were"
+        if before is not None and before.number:
+            plural = before.number == "plural"
     kind: Countability = "countable"
     if not phrase.entity:
         kind = countability(phrase.noun, grammar.inflection)
     if phrase.cardinal is not None:
         # What is counted can be counted: "two teas".
-        plural = abs(phrase.cardinal) > 1 or phrase.cardinal == 0
+        plural = abs(phrase.cardinal) != 1
         return plural, "countable" if kind == "uncountable" else kind
     if kind == "uncountable":
         return False, kind
@@ -69,8 +89,7 @@ def takes_pair(phrase: NounPhrase, grammar: Grammar) -> bool:
     if phrase.cardinal is not None:
         return True
     forms = grammar.determiners.get(phrase.determiner)
-    # Determiners with no plural of their own count what they stand before.
-    return forms is not None and (forms.number == "singular" or forms.plural == "")
+    return forms is not None and (forms.number == "singular" or forms.singly)
 
 
 def determiner_form(
@@ -81,7 +100,10 @@ def determiner_form(
     if forms is None:
         return phrase.determiner
     if plural:
-        return phrase.determiner if forms.plural is None else forms.plural
+        counted = phrase.cardinal is not None and forms.singly and forms.plural
+        if forms.plural is None or counted:
+            return phrase.determiner  # "another two cups"
+        return forms.plural
     if forms.uncountable is not None and kind == "uncountable":
         return forms.uncountable
     return phrase.determiner

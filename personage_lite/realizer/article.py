@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from personage_lite.realizer.inflection import Dialect
 from personage_lite.yaml_reader import Node
 
 # What stands before a word and is not said there: blanks, quotation marks, brackets, emphasis and
@@ -32,8 +33,8 @@ class ArticleSounds(NamedTuple):
     ends: dict[int, int]
 
 
-def read_article_sounds(node: Node) -> ArticleSounds:
-    """Read the articles file; every fault names its line.
+def read_article_sounds(node: Node, dialect: Dialect = "british") -> ArticleSounds:
+    """Read the articles file for one dialect; every fault names its line.
 
     Raises `DataError` for a missing table, an unknown one, or a word that stands twice.
     """
@@ -51,6 +52,9 @@ def read_article_sounds(node: Node) -> ArticleSounds:
                         f"'{word}' does not belong here", f"write two or more {wanted}"
                     )
                 table[word] = article
+    american = node.need("american_an").text().split()
+    if dialect == "american":
+        beginnings.update(dict.fromkeys(american, "an"))
     vowels = frozenset(node.need("vowels").text())
     sounds = ArticleSounds(
         vowels=vowels,

@@ -44,7 +44,7 @@ def main_clause(
     quotation = clause.quotation
     if isinstance(quotation, Quotation) and quotation.first:
         out.extend((quoted(syntax, quotation), ","))
-        if quotation.inverted and clause.subject is not None:
+        if quotation.inverted and clause.subject is not None and _can_report(clause):
             _reporting(syntax, out, clause, clause.subject)
             return
     if clause.preposed:
@@ -239,6 +239,12 @@ def _reporting(syntax: Syntax, out: list[str], clause: Clause, subject: Phrase) 
     out.extend(clause.adverbs)
     arguments(syntax, out, clause, subject)
     following(syntax, out, clause)
+
+
+def _can_report(clause: Clause) -> bool:
+    """Whether the verb can come before the subject: a single one, and no pronoun."""
+    plain = not (clause.negated or clause.modal or clause.perfect or clause.progressive)
+    return plain and clause.tense != "future" and not _is_pronoun(clause.subject)
 
 
 def _is_pronoun(phrase: Phrase | None) -> bool:

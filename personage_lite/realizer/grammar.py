@@ -29,7 +29,7 @@ RELATIVE_ROLES = (
 _SETS = (
     *("negated_as_a_whole", "prospective", "auxiliary_semi_modals", "never_backshifted"),
     *("contracting", "contracted_after", "negators", "negative_determiners", "inverting"),
-    *("inverting_with_ellipsis", "plural_in_tags", "repeated_in_tags", "disjunctive", "abbreviations"),
+    *("inverting_with_ellipsis", "approximators", "plural_in_tags", "repeated_in_tags", "disjunctive", "indefinite_pronouns", "abbreviations"),
 )
 DETERMINER_FIELDS = ("number", "plural", "uncountable")
 
@@ -66,6 +66,11 @@ class DeterminerForms(NamedTuple):
     plural: str | None = None
     uncountable: str | None = None
 
+    @property
+    def singly(self) -> bool:
+        """Whether it counts single things, as "a" and "another" do."""
+        return self.plural is not None and self.uncountable is not None
+
 
 class Grammar(NamedTuple):
     """Closed word classes, exceptions to rules and options; never changed after loading."""
@@ -96,12 +101,14 @@ class Grammar(NamedTuple):
     inverting: frozenset[str]
     inverting_beginnings: tuple[str, ...]
     inverting_with_ellipsis: frozenset[str]
+    approximators: frozenset[str]
     plural_in_tags: frozenset[str]
     repeated_in_tags: frozenset[str]
     determiners: dict[str, DeterminerForms]
     correlatives: dict[str, str]
     disjunctive: frozenset[str]
     adjective_order: dict[str, int]
+    indefinite_pronouns: frozenset[str]
     abbreviations: frozenset[str]
     inflection: Inflection
     numerals: NumberWords
@@ -110,8 +117,8 @@ class Grammar(NamedTuple):
     curly_apostrophes: bool = False
 
 
-# Where an adjective stands that no class names: after the opinions, before the sizes.
-UNLISTED = 1
+# Ranks of adjectives: those that limit ("other"), the opinions, and those that no class names.
+LIMITING, OPINION, UNLISTED = 0, 1, 2
 
 
 def load_grammar(
@@ -126,7 +133,7 @@ def load_grammar(
     """
     inflection = read_inflection(read_yaml(f"{folder}/inflection.yaml"), dialect)
     numerals = read_numerals(read_yaml(f"{folder}/numerals.yaml"), dialect)
-    sounds = read_article_sounds(read_yaml(f"{folder}/articles.yaml"))
+    sounds = read_article_sounds(read_yaml(f"{folder}/articles.yaml"), dialect)
     closed = _closed_words(read_yaml(f"{folder}/grammar.yaml"))
     return Grammar(
         **closed,  # type: ignore[arg-type]

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from personage_lite.realizer.agreement import determiner_form, number_and_kind, takes_pair
 from personage_lite.realizer.clauses import relative_clause
 from personage_lite.realizer.features import SpecificationError
-from personage_lite.realizer.grammar import UNLISTED, Grammar
+from personage_lite.realizer.grammar import LIMITING, OPINION, UNLISTED, Grammar
 from personage_lite.realizer.inflection import Countability
 from personage_lite.realizer.numerals import cardinal, ordinal
 from personage_lite.realizer.orthography import INDEFINITE, MARKS
@@ -45,16 +45,16 @@ def noun_phrase(
     if phrase.predeterminer:
         out.append(phrase.predeterminer)
     if owner is not None and not owned_after:
-        if not phrase.noun and isinstance(owner, NounPhrase) and owner.pronoun:
-            pronoun(out, owner, "independent", grammar)
-            return
-        syntax.phrase(out, owner, "possessive")
+        syntax.phrase(out, owner, "independent" if _stands_alone(phrase) else "possessive")
     elif owner is not None and not phrase.determiner:
         out.append(grammar.words.definite)
     elif phrase.determiner:
         determiner = determiner_form(phrase, plural, kind, grammar)
         if determiner:
             out.append(INDEFINITE if determiner in ("a", "an") else determiner)
+    adjectives = phrase.adjectives
+    if len(adjectives) > 1 or (adjectives and phrase.cardinal is not None):
+        adjectives = _in_order(syntax, out, adjectives)
     if phrase.ordinal is not None:
         out.append(ordinal(phrase.ordinal, grammar.numerals, phrase.figures))
     if phrase.cardinal is not None:
@@ -63,19 +63,25 @@ def noun_phrase(
         pair = grammar.words.pair
         out.append(pluralize(pair, grammar.inflection) if plural else pair)
         out.append(grammar.words.possession)
-    following = _adjectives(syntax, out, phrase.adjectives) if phrase.adjectives else ()
+    after = phrase.noun in grammar.indefinite_pronouns  # "something strange"
+    following = _adjectives(syntax, out, adjectives) if adjectives and not after else ()
     if phrase.noun:
+        if phrase.stutter and out[start:] and out[-1] == INDEFINITE:
+            out[-1] = INDEFINITE + phrase.noun  # "a f-fox"
         out.append(_noun(phrase, plural, kind, grammar))
+        if after:
+            for strange in adjectives:
+                syntax.phrase(out, strange)
     elif len(out) == start:
         raise SpecificationError("a noun phrase says nothing; give it a noun", phrase)
-    for adjective, whole in following:
-        if whole:
-            syntax.phrase(out, adjective)
-        else:
+    for adjective in following:
+        if isinstance(adjective, AdjectivePhrase) and not _governs(adjective):
             after_adjective(syntax, out, adjective)
+        else:
+            syntax.phrase(out, adjective)
     if owner is not None and owned_after:
         _owner_after(syntax, out, owner, double=phrase.determiner != "" and not _heavy(owner))
-    if case == "possessive":
+    if case in ("possessive", "independent"):
         for modifier in phrase.modifiers:
             syntax.phrase(out, modifier)
         possess(out, plural)
@@ -95,9 +101,7 @@ def _after_noun(syntax: Syntax, out: list[str], phrase: NounPhrase) -> None:
         _relative(syntax, out, phrase, phrase.relative)
 
 
-def pronoun(
-    out: list[str], phrase: NounPhrase, case: Case | str, grammar: Grammar
-) -> None:
+def pronoun(out: list[str], phrase: NounPhrase, case: Case, grammar: Grammar) -> None:
     """Add the pronoun that stands for a noun phrase."""
     out.append(grammar.pronouns[phrase.person, phrase.number, phrase.gender][case])
 
@@ -125,45 +129,71 @@ def _noun(phrase: NounPhrase, plural: bool, kind: Countability, grammar: Grammar
 # Adjectives
 
 
+def _in_order(
+    syntax: Syntax, out: list[str], adjectives: tuple[Phrase, ...]
+) -> tuple[Phrase, ...]:
+    """Add the adjectives that come before a number ("the next two"); return the rest in order."""
+    order = syntax.grammar.adjective_order
+    # Sorting keeps the order of those of one rank.
+    ranked = sorted(adjectives, key=lambda each: _rank(each, order))
+    limiting = [each for each in ranked if _rank(each, order) == LIMITING]
+    for adjective in limiting:
+        syntax.phrase(out, adjective)
+    return tuple(ranked[len(limiting) :])
+
+
 def _adjectives(
     syntax: Syntax, out: list[str], adjectives: tuple[Phrase, ...]
-) -> tuple[tuple[AdjectivePhrase, bool], ...]:
-    """Add adjectives in their usual order; return what has to follow the noun.
+) -> list[Phrase]:
+    """Add adjectives; return what has to follow the noun.
 
     That is the whole phrase if it governs something ("a girl proud of her cat") or compares by
     "as", and only the comparison of a comparative: "a braver girl than Dinah".
     """
-    if len(adjectives) > 1:
-        order = syntax.grammar.adjective_order
-        # Sorting keeps the order of those of one rank.
-        adjectives = tuple(sorted(adjectives, key=lambda each: _rank(each, order)))
-    following = []
+    order = syntax.grammar.adjective_order
+    following: list[Phrase] = []
     before = -1
     for adjective in adjectives:
+        if _governs(adjective):
+            following.append(adjective)
+            continue
+        rank = _rank(adjective, order)
+        # Opinions are weighed one by one: "a kind, brave girl", but "a big old house".
+        if OPINION <= before <= UNLISTED and OPINION <= rank <= UNLISTED:
+            out.append(",")
+        before = rank
         if isinstance(adjective, AdjectivePhrase):
-            if adjective.complement is not None or adjective.degree == "equative":
-                following.append((adjective, True))
-                continue
-            rank = _rank(adjective, syntax.grammar.adjective_order)
-            # Opinions are weighed one by one: "a kind, brave girl", but "a big old house".
-            if rank == before <= UNLISTED:
-                out.append(",")
-            before = rank
             attribute(syntax, out, adjective)
             if adjective.compared is not None:
-                following.append((adjective, False))
-        else:
-            before = -1
+                following.append(adjective)
+        elif isinstance(adjective, Coordination):
+            last = adjective.items[-1]
+            compared = last if isinstance(last, AdjectivePhrase) and last.compared else None
+            if compared is not None:
+                bare = (*adjective.items[:-1], compared._replace(compared=None))
+                adjective = adjective._replace(items=bare)
+                following.append(compared)
             syntax.phrase(out, adjective)
-    return tuple(following)
+        else:
+            syntax.phrase(out, adjective)
+    return following
+
+
+def _governs(adjective: Phrase) -> bool:
+    """Whether an adjective has to follow its noun: "a girl proud of her cat", "as brave as"."""
+    if isinstance(adjective, Coordination):
+        return any(_governs(item) for item in adjective.items)
+    return isinstance(adjective, AdjectivePhrase) and (
+        adjective.complement is not None or adjective.degree == "equative"
+    )
 
 
 def _rank(adjective: Phrase, order: dict[str, int]) -> int:
     if isinstance(adjective, AdjectivePhrase):
         return order.get(adjective.adjective, UNLISTED)
-    if isinstance(adjective, str):
-        return order.get(adjective, UNLISTED)
-    return UNLISTED
+    if isinstance(adjective, Coordination):
+        return _rank(adjective.items[0], order)
+    return order.get(adjective, UNLISTED) if isinstance(adjective, str) else UNLISTED
 
 
 # Owners
@@ -187,12 +217,14 @@ def _heavy(owner: Phrase) -> bool:
 def _owner_after(syntax: Syntax, out: list[str], owner: Phrase, double: bool) -> None:
     """Add "of" and the owner: "of Alice, who is kind"; double: "(a friend) of hers"."""
     out.append(syntax.grammar.words.possession)
-    if not double:
-        syntax.phrase(out, owner)
-    elif isinstance(owner, NounPhrase) and owner.pronoun:
-        pronoun(out, owner, "independent", syntax.grammar)
-    else:
-        syntax.phrase(out, owner, "possessive")
+    # Things own less than people do: "a leg of the table".
+    thing = isinstance(owner, NounPhrase) and not (owner.animate or owner.entity or owner.pronoun)
+    syntax.phrase(out, owner, "independent" if double and not thing else "objective")
+
+
+def _stands_alone(phrase: NounPhrase) -> bool:
+    """Whether nothing but the owner is said: "hers", but "her two", "her own"."""
+    return not (phrase.noun or phrase.adjectives) and phrase.cardinal is phrase.ordinal is None
 
 
 # Relative clauses

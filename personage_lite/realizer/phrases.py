@@ -84,7 +84,10 @@ def numeral(syntax: Syntax, out: list[str], phrase: Numeral, case: Case = "objec
 
 def date(syntax: Syntax, out: list[str], phrase: Date, case: Case = "objective") -> None:
     """Add a date."""
-    out.append(date_text(phrase, syntax.grammar.numerals))
+    numerals = syntax.grammar.numerals
+    out.append(date_text(phrase, numerals))
+    if phrase.style == "figures" and phrase.day and "," in numerals.patterns["figures_year"]:
+        out.append(",")  # "July 4, 1862, was warm"
 
 
 def coordination(
@@ -98,45 +101,49 @@ def coordination(
     grammar = syntax.grammar
     items, conjunction = phrase.items, phrase.conjunction
     last = len(items) - 1
-    paired = phrase.correlative and last == 1
     inverted = False
-    if paired and conjunction in grammar.correlatives:
-        out.append(grammar.correlatives[conjunction])
-        # "Not only is she kind", "neither does she run"
-        said = out[-1]
-        inverted = main and (
-            said in grammar.inverting or said in grammar.inverting_beginnings
-        )
-    joint = case == "possessive" and not phrase.separate and not _any_pronoun(phrase)
+    pair = grammar.correlatives.get(conjunction, "") if phrase.correlative and last else ""
+    if pair and (last == 1 or conjunction in grammar.disjunctive):
+        if main and isinstance(items[0], Clause) and not _said_whole(items[1]):
+            # What is shared comes first: "she neither sings nor dances".
+            items = (items[0]._replace(adverbs=(pair, *items[0].adverbs)), *items[1:])
+        else:
+            out.append(pair)
+            # "Not only is she kind", "neither does she run"
+            inverted = main and (pair in grammar.inverting or pair in grammar.inverting_beginnings)
+    owners = case in ("possessive", "independent")
+    joint = owners and not phrase.separate and not _any_pronoun(phrase)
     for index, item in enumerate(items):
-        clausal = main and isinstance(item, Clause) and item.form == "finite"
         if index:
             if index < last or conjunction == ",":
                 out.append(",")
             else:
-                whole = clausal and _said_whole(item)
-                if whole or (grammar.oxford_comma and last > 1):
+                if (main and _said_whole(item)) or (grammar.oxford_comma and last > 1):
                     out.append(",")
                 # "Not only is she kind, but she is also brave": "also" goes into the clause.
                 first, _, second = conjunction.partition(" ")
                 out.append(first if inverted else conjunction)
                 if inverted and second and isinstance(item, Clause):
                     item = item._replace(adverbs=(second, *item.adverbs))
-        if clausal and isinstance(item, Clause):
-            if index:
-                main_clause(syntax, out, item, inverted=conjunction in grammar.inverting)
-            else:
-                main_clause(syntax, out, item, inverted=inverted)
-        elif joint and index < last:
-            syntax.phrase(out, item)
+        if main and isinstance(item, Clause):
+            also = conjunction in grammar.inverting and _said_whole(item)
+            main_clause(syntax, out, item, inverted=also if index else inverted)
+        elif main and isinstance(item, Coordination):
+            coordination(syntax, out, item, main=True)
+        elif owners and index < last:
+            syntax.phrase(out, item, "objective" if joint else "possessive")
         else:
             syntax.phrase(out, item, case)
 
 
 def _said_whole(clause: Phrase) -> bool:
     """Whether a clause says its own subject and verb, so that a comma parts it from another."""
-    return isinstance(clause, Clause) and not {"subject", "auxiliary", "verb"} & set(
-        clause.ellipsis
+    if isinstance(clause, Coordination):
+        return _said_whole(clause.items[0])
+    return (
+        isinstance(clause, Clause)
+        and clause.form == "finite"
+        and not {"subject", "auxiliary", "verb"} & set(clause.ellipsis)
     )
 
 

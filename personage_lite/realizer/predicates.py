@@ -10,6 +10,7 @@ from personage_lite.realizer.orthography import write
 from personage_lite.realizer.specification import (
     Cased,
     Clause,
+    Coordination,
     NounPhrase,
     Phrase,
     Quotation,
@@ -20,6 +21,8 @@ from personage_lite.realizer.verb_group import VerbGroup, verb_group
 
 if TYPE_CHECKING:
     from personage_lite.realizer.syntax import Syntax
+
+_SWAPPED = {"“": "‘", "”": "’", "‘": "“", "’": "”"}
 
 
 def predicate(
@@ -205,21 +208,36 @@ def quoted(syntax: Syntax, quotation: str | Quotation) -> str:
     speech = quotation.speech if isinstance(quotation, Quotation) else quotation
     if isinstance(speech, Sentence):
         speech = write(syntax.sentence(speech), syntax.grammar)
-    return f"“{speech.replace('“', '‘').replace('”', '’')}”"
+    return f"“{_inner(speech)}”"
+
+
+def _inner(speech: str) -> str:
+    """Return speech as it stands inside quotation marks: “ ” become ‘ ’, and those “ ” again."""
+    if "“" not in speech and "‘" not in speech:
+        return speech
+    swapped = ""
+    for index, letter in enumerate(speech):
+        apostrophe = letter == "’" and speech[index + 1 : index + 2].isalpha()
+        swapped += letter if apostrophe else _SWAPPED.get(letter, letter)
+    return swapped
 
 
 def _object(syntax: Syntax, out: list[str], subject: Phrase | None, said: Phrase) -> None:
     """Add an object; the pronoun for whom the subject denotes too is reflexive."""
-    if (
-        isinstance(said, NounPhrase)
-        and said.pronoun
-        and said.entity
-        and isinstance(subject, NounPhrase)
-        and subject.entity == said.entity
-    ):
-        syntax.phrase(out, said, "reflexive")
-    else:
-        syntax.phrase(out, said)
+    if isinstance(subject, NounPhrase) and subject.entity:
+        if isinstance(said, Coordination):
+            items = tuple(_reflexive(item, subject.entity) for item in said.items)
+            said = said._replace(items=items)
+        else:
+            said = _reflexive(said, subject.entity)
+    syntax.phrase(out, said)
+
+
+def _reflexive(said: Phrase, entity: str) -> Phrase:
+    """Return a pronoun as the reflexive one, if it denotes an entity."""
+    if isinstance(said, NounPhrase) and said.pronoun and said.entity == entity:
+        return said._replace(reflexive=True)
+    return said
 
 
 def _is_pronoun(phrase: Phrase | None) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from personage_lite.realizer.clauses import content_clause, main_clause
+from personage_lite.realizer.orthography import abbreviated
 from personage_lite.realizer.phrases import coordination
 from personage_lite.realizer.specification import (
     Case,
@@ -14,7 +15,7 @@ from personage_lite.realizer.specification import (
     Phrase,
     Sentence,
 )
-from personage_lite.realizer.tags import tag_question, tagged_clause
+from personage_lite.realizer.tags import raises_negation, tag_question, tagged_clause
 
 if TYPE_CHECKING:
     from personage_lite.realizer.syntax import Syntax
@@ -28,7 +29,7 @@ def sentence(syntax: Syntax, spec: Sentence) -> list[str]:
     out: list[str] = []
     for opener in spec.openers:
         # A mark of its own counts as the mark after it.
-        if opener.text[-1:] in _ENDS and opener.text not in syntax.grammar.abbreviations:
+        if opener.text[-1:] in _ENDS and not abbreviated(opener.text, syntax.grammar):
             out.extend((opener.text[:-1], opener.text[-1]))
         else:
             out.append(opener.text)
@@ -57,7 +58,8 @@ def sentence(syntax: Syntax, spec: Sentence) -> list[str]:
         clause_asked = tagged_clause(spec)
         tag = "" if clause_asked is None else tag
         if clause_asked is not None:
-            tag_question(syntax, out, clause_asked, _subject(spec, clause_asked))
+            negative = raises_negation(spec, syntax.grammar)
+            tag_question(syntax, out, clause_asked, _subject(spec, clause_asked), negative)
     elif tag:
         out.extend((",", tag))
     if spec.vocative:
@@ -103,8 +105,13 @@ def _subject(spec: Sentence, clause: Clause) -> Phrase | None:
     return None
 
 
+def _whole(body: Phrase) -> bool:
+    return isinstance(body, Clause) and body.form == "finite" and not body.ellipsis
+
+
 def _terminal(body: object) -> str:
     """Return the mark that ends what has none of its own: by the mood of the last clause."""
     while isinstance(body, Coordination):
-        body = body.items[-1]
+        # The last clause that is one by itself: "Will you sing and dance?"
+        body = next(filter(_whole, reversed(body.items)), body.items[-1])
     return _TERMINALS.get(body.mood, ".") if isinstance(body, Clause) else "."

@@ -16,7 +16,7 @@ from personage_lite.realizer.numerals import Date
 Number: TypeAlias = Literal["singular", "plural"]
 Gender: TypeAlias = Literal["masculine", "feminine", "neuter"]
 Person: TypeAlias = Literal[1, 2, 3]
-Case: TypeAlias = Literal["subjective", "objective", "possessive", "reflexive"]
+Case: TypeAlias = Literal["subjective", "objective", "possessive", "independent", "reflexive"]
 Tense: TypeAlias = Literal["present", "past", "future"]
 Degree: TypeAlias = Literal["positive", "comparative", "superlative", "equative"]
 Mood: TypeAlias = Literal[

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from personage_lite.realizer.specification import Clause, Phrase, Subordinate
+from personage_lite.realizer.specification import Clause, NounPhrase, Phrase, Quotation, Subordinate
 
 if TYPE_CHECKING:
     from personage_lite.realizer.syntax import Syntax
@@ -30,7 +30,8 @@ def add_subordinate(
     syntax: Syntax, out: list[str], host: Clause, subordinate: Subordinate
 ) -> None:
     """Add an adverbial clause that follows its host; a comma parts it from speech."""
-    if host.quotation:
+    quotation = host.quotation
+    if quotation and not (isinstance(quotation, Quotation) and quotation.first):
         out.append(",")
     out.append(subordinate.conjunction)
     syntax.phrase(out, subordinate.clause)
@@ -58,4 +59,6 @@ def _inverts(phrase: Phrase, said: str, clause: Clause, syntax: Syntax) -> bool:
         return True
     if "predicate" in clause.ellipsis and said in grammar.inverting_with_ellipsis:
         return True
+    if isinstance(phrase, NounPhrase) and phrase.determiner in grammar.inverting:
+        return True  # "neither of them did she like"
     return f"{said} ".startswith(grammar.inverting_beginnings)

@@ -27,6 +27,16 @@ if TYPE_CHECKING:
 IT = NounPhrase("", pronoun=True)
 
 
+def raises_negation(sentence: Sentence, grammar: Grammar) -> bool:
+    """Whether the frame of a clause is negative for it: "I don't think she's here, is she?"."""
+    body = sentence.joined[-1].body if sentence.joined else sentence.body
+    if not isinstance(body, Embedded):
+        return False
+    words = [word for part in body.lead.parts if isinstance(part, str) for word in part.split()]
+    negatives = grammar.negative_contractions.values()
+    return any(word in grammar.negators or word in negatives for word in words)
+
+
 def tagged_clause(sentence: Sentence) -> Clause | None:
     """Return the clause that a tag question agrees with: the last one; fixed words have none."""
     body: object = sentence.joined[-1].body if sentence.joined else sentence.body
@@ -39,8 +49,13 @@ def tagged_clause(sentence: Sentence) -> Clause | None:
     return None if body.mood in ("interrogative", "exclamative") else body
 
 
-def tag_question(syntax: Syntax, out: list[str], clause: Clause, subject: Phrase | None) -> None:
-    """Add the tag question of a clause; `subject` is its own or the one that it shares."""
+def tag_question(
+    syntax: Syntax, out: list[str], clause: Clause, subject: Phrase | None, negative: bool
+) -> None:
+    """Add the tag question of a clause; `subject` is its own or the one that it shares.
+
+    `negative` says that what stands around the clause makes it so.
+    """
     grammar = syntax.grammar
     out.append(",")
     if clause.mood == "imperative":
@@ -53,7 +68,7 @@ def tag_question(syntax: Syntax, out: list[str], clause: Clause, subject: Phrase
         first_one = subject.items[0] if isinstance(subject, Coordination) else subject
         agrees = agreement(first_one, grammar)
     finite = verb_group(clause, agrees, grammar, support=True).finite
-    if not _sounds_negative(clause, subject, grammar):
+    if not (negative or _sounds_negative(clause, subject, grammar)):
         finite = (
             grammar.tag_negatives.get(finite) or grammar.negative_contractions.get(finite) or finite
         )
@@ -74,7 +89,8 @@ def _pronoun(subject: Phrase | None, grammar: Grammar) -> NounPhrase:
             return subject._replace(relative=None, apposition=None, modifiers=())
         if subject.noun in grammar.repeated_in_tags and not subject.determiner:
             return NounPhrase(subject.noun)
-        word = subject.noun or subject.determiner
+        # "Neither of them, did they?", but of things "did it?"
+        word = subject.noun or (subject.determiner if subject.animate else "")
         plural = is_plural(subject, grammar) or word in grammar.plural_in_tags
         return NounPhrase(
             subject.noun,
@@ -83,7 +99,9 @@ def _pronoun(subject: Phrase | None, grammar: Grammar) -> NounPhrase:
             person=subject.person,
             pronoun=True,
         )
-    if isinstance(subject, str) and subject.rsplit(" ", 1)[-1] in grammar.plural_in_tags:
+    if isinstance(subject, str) and (
+        subject in grammar.plural_in_tags or subject.rsplit(" ", 1)[-1] in grammar.plural_in_tags
+    ):
         return IT._replace(number="plural")
     if isinstance(subject, Coordination):
         people = [agreement(item, grammar)[0] for item in subject.items if _names(item)]
@@ -110,7 +128,7 @@ def _sounds_negative(clause: Clause, subject: Phrase | None, grammar: Grammar) -
 def _negative(phrase: Phrase | None, grammar: Grammar) -> bool:
     """Whether a phrase begins with a negator: "nobody", "no friends", "hardly curious"."""
     if isinstance(phrase, str):
-        return _negative_word(phrase, grammar)
+        return phrase in grammar.negative_determiners or _negative_word(phrase, grammar)
     if isinstance(phrase, AdjectivePhrase):
         return _negative_adverbs(phrase.adverbs, grammar)
     if isinstance(phrase, Coordination):
@@ -124,7 +142,8 @@ def _negative(phrase: Phrase | None, grammar: Grammar) -> bool:
         return _negative(phrase.object, grammar)
     if isinstance(phrase, NounPhrase) and not phrase.pronoun:
         if phrase.predeterminer:
-            return _negative_word(phrase.predeterminer, grammar)
+            words = f"{phrase.predeterminer} {phrase.determiner or phrase.noun}"
+            return _negative_word(words, grammar)
         if phrase.determiner in grammar.negative_determiners:
             return True
         if phrase.determiner or phrase.possessor is None:
@@ -134,7 +153,9 @@ def _negative(phrase: Phrase | None, grammar: Grammar) -> bool:
 
 
 def _negative_word(words: str, grammar: Grammar) -> bool:
-    first = words.split(" ", 1)[0]
+    first, _, rest = words.partition(" ")
+    if first in grammar.approximators:
+        return _negative_word(rest, grammar)
     return first in grammar.negators and not words.startswith(grammar.not_negative)
 
 

@@ -59,16 +59,20 @@ def verb_group(
         if support:
             return VerbGroup(_finite(words.support, agrees, past, grammar), [verb], True)
         return VerbGroup(_finite(verb, agrees, past, grammar), [], False)
-    if clause.tense == "future" and modal not in grammar.modals:
+    if clause.tense == "future" and not is_modal(modal, grammar):
         modal = words.future
     perfect = clause.perfect
     if clause.backshifted and modal not in grammar.never_backshifted:
         # "She is" … "was", "she has been" and "she was" … "had been", "she will" … "would".
-        perfect = perfect or (past and modal not in grammar.modals)
+        perfect = perfect or (past and not is_modal(modal, grammar))
         past = True
     links = _links(clause, perfect, grammar)
-    if modal in grammar.modals:
-        finite, *linked = (grammar.modals[modal] if past else modal).split(" ")
+    if is_modal(modal, grammar):
+        said = modal
+        if past:
+            first, blank, rest_of_it = modal.partition(" ")
+            said = grammar.modals.get(modal) or grammar.modals[first] + blank + rest_of_it
+        finite, *linked = said.split(" ")
         return VerbGroup(finite, _chain(links, "base", grammar), True, tuple(linked))
     lemma, after, form = links.pop(0)
     auxiliary = (
@@ -81,6 +85,17 @@ def verb_group(
         return VerbGroup(_finite(words.support, agrees, past, grammar), rest, True)
     rest = [*after, *_chain(links, form, grammar)]
     return VerbGroup(_finite(lemma, agrees, past, grammar), rest, auxiliary)
+
+
+def is_modal(modal: str, grammar: Grammar) -> bool:
+    """Whether this is an auxiliary, alone or with more words: "can", "ought to", "may as well".
+
+    With "to" it is one only as a whole: "need to" is inflected, "ought to" is not.
+    """
+    if modal in grammar.modals:
+        return True
+    first, _, rest = modal.partition(" ")
+    return first in grammar.modals and not f"{rest} ".startswith(f"{grammar.words.infinitive} ")
 
 
 def non_finite(clause: Clause, grammar: Grammar) -> list[str]:
@@ -102,7 +117,7 @@ def _links(clause: Clause, perfect: bool, grammar: Grammar) -> list[_Link]:
     modal = clause.modal
     first, *linked = modal.split(" ")
     semi: _Link | None = (first, tuple(linked), "base") if linked else None
-    if semi and modal in grammar.modals:
+    if semi and is_modal(modal, grammar):
         semi = None
     if semi and modal in grammar.prospective:
         links.append(semi)

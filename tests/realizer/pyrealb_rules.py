@@ -28,6 +28,7 @@ FINITE = "is are was were do does did has have had could would should might must
 SHORT = {word: f"{word}n't" for word in FINITE.split(" ")}
 SHORT.update(can="can't", will="won't", shall="shan't")
 SINGULAR = {"are": "is", "were": "was", "have": "has", "do": "does"}
+PLURAL = {singular: plural for plural, singular in SINGULAR.items()}
 SUPPORT = {"has": "does", "have": "do", "had": "did"}
 OF_PASSIVES = frozenset(("i", "it", "we", "am", "is", "are", "was", "were", "has", "have"))
 
@@ -86,7 +87,10 @@ def _tag_of_may(pair: Pair, event: Event, text: str) -> str:
 def _joint_tag(pair: Pair, event: Event, text: str) -> str:
     if not (event.tag and isinstance(event.subject, Joint) and text.endswith(" it?")):
         return text
-    return text[: text.rindex(", ")] + pair.ours[pair.ours.rindex(", ") :]
+    said, _, tag = text.rpartition(", ")
+    word = tag.split(" ")[0]
+    finite = PLURAL.get(_positive(word), _positive(word)) + word[len(_positive(word)) :]
+    return f"{said}, {finite} they?"
 
 
 # Auxiliaries
@@ -95,6 +99,8 @@ def _joint_tag(pair: Pair, event: Event, text: str) -> str:
 def _passive_pronoun(pair: Pair, event: Event, text: str) -> str:
     patient = event.object
     if not (event.passive and isinstance(patient, Thing) and not patient.noun):
+        return text
+    if patient.person == 3 and not patient.plural:
         return text
     return _aligned(text, pair, lambda *words: OF_PASSIVES.issuperset(map(_positive, words)))
 
@@ -192,7 +198,7 @@ def _adverb(*words: str) -> EventRule:
 
 
 def _nearest(pair: Pair, event: Event, text: str) -> str:
-    if not _disjoint(event) or _asks_inside(event):
+    if not _disjoint(event) or _asks_inside(event) or "cats or the dog " not in text:
         return text
     return _aligned(
         text,
@@ -235,10 +241,6 @@ def _adjective_order(pair: Pair, text: str) -> str:
     return text.replace("A small honest", "An honest small").replace("small honest", "honest small")
 
 
-def _article(pair: Pair, text: str) -> str:
-    return re.sub(r"^An ", "A ", text) if pair.ours.startswith("A ") else text
-
-
 def _hundred_and(pair: Pair, text: str) -> str:
     return text.replace("hundred and ", "hundred ")
 
@@ -275,6 +277,5 @@ RULES: dict[str, Rule] = {
     "owner glued": _glued,
     "owner in s": _owner_in_s,
     "order of adjectives": _adjective_order,
-    "an before a consonant": _article,
     "hundred and": _hundred_and,
 }

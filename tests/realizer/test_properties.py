@@ -24,7 +24,7 @@ REALIZER = english()
 AMERICAN = english("american", oxford_comma=True)
 DOUBLED = re.compile(r"[.,!?…][”’]*[.,]|[.,!?][”’]*[.,!?…]|……")
 SPACED = re.compile(r" [.,!?…”]|  |^ | $|“ |^,")
-ABBREVIATED = re.compile(r"\b(etc|a\.m)\.(?=[,?!…])")
+ABBREVIATED = re.compile(r"(?i)\b(etc|a\.m)\.(?=[”’]*[,?!…])")
 SEEDS = range(2000)
 
 
