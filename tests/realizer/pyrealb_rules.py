@@ -30,7 +30,6 @@ SHORT.update(can="can't", will="won't", shall="shan't")
 SINGULAR = {"are": "is", "were": "was", "have": "has", "do": "does"}
 PLURAL = {singular: plural for plural, singular in SINGULAR.items()}
 SUPPORT = {"has": "does", "have": "do", "had": "did"}
-OF_PASSIVES = frozenset(("i", "it", "we", "am", "is", "are", "was", "were", "has", "have"))
 
 
 def listed(words: Mapping[str, str]) -> Rule:
@@ -102,7 +101,14 @@ def _passive_pronoun(pair: Pair, event: Event, text: str) -> str:
         return text
     if patient.person == 3 and not patient.plural:
         return text
-    return _aligned(text, pair, lambda *words: OF_PASSIVES.issuperset(map(_positive, words)))
+    return _aligned(
+        text,
+        pair,
+        lambda its, mine: (
+            (its, mine) in (("it", "i"), ("i", "we"), ("is", "am"))
+            or PLURAL.get(_positive(its)) == _positive(mine)
+        ),
+    )
 
 
 def _lost_do(pair: Pair, event: Event, text: str) -> str:
@@ -234,6 +240,9 @@ def _glued(pair: Pair, text: str) -> str:
 
 
 def _owner_in_s(pair: Pair, text: str) -> str:
+    owner = pair.said.owner if isinstance(pair.said, Thing) else None
+    if owner is None or owner.plural:
+        return text
     return _aligned(text, pair, lambda its, mine: its.endswith("s'") and mine == its + "s")
 
 
