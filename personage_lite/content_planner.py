@@ -9,7 +9,7 @@ from __future__ import annotations
 from itertools import pairwise
 from math import floor
 
-from personage_lite.facts import POLARITIES, STRENGTHS, Character, Fact, Relation
+from personage_lite.facts import Character, Fact, Relation
 from personage_lite.operators import Turn
 from personage_lite.plan import ContentPlan, Decision, Link, Message, Role, Status
 from personage_lite.realizer.specification import AdjectivePhrase
@@ -45,12 +45,12 @@ class _Choice:
             fewest = min(told.get(key, 0) for key in character.by_id)
             self._open = {key for key in character.by_id if told.get(key, 0) == fewest}
             self._weights = [
-                table[fact.polarity, fact.strength] if self._ready(fact.id) else 0.0
-                for fact in character.facts
+                table[kind] if self._ready(key) else 0.0
+                for key, kind in zip(character.by_id, character.kinds, strict=True)
             ]
         else:
             self._open = set(character.by_id)
-            self._weights = [table[kind] if kind else 0.0 for kind in character.openings]
+            self._weights = [table[kind] for kind in character.openings]
 
     def _ready(self, key: str) -> bool:
         """Whether a fact is open and all that must be told before it has been told."""
@@ -69,8 +69,9 @@ class _Choice:
         if last is not None:
             for place in character.by_topic[last.topic]:
                 weights[place] *= _SAME_TOPIC
-            for key, factor in self._related(last).items():
-                weights[places[key]] *= factor
+            if last.id in character.related:
+                for key, factor in self._related(last).items():
+                    weights[places[key]] *= factor
         if not index:
             for place in character.by_others:
                 weights[place] *= _OTHER_SUBJECT_FIRST
@@ -80,14 +81,13 @@ class _Choice:
         for key in character.unlocks.get(fact.id, ()):
             # What waited for this fact alone can now be told.
             if self._ready(key):
-                opened = character.by_id[key]
-                self._weights[places[key]] = self._table[opened.polarity, opened.strength]
+                self._weights[places[key]] = self._table[character.kinds[places[key]]]
         return fact
 
     def _related(self, last: Fact) -> dict[str, float]:
         factors: dict[str, float] = {}
         concessions = 2 * self._turn.parameters["concessions"]
-        for relation in self._character.related.get(last.id, ()):
+        for relation in self._character.related[last.id]:
             other = relation.satellite if relation.nucleus == last.id else relation.nucleus
             factor = _RELATED[relation.kind]
             if relation.kind in _OPPOSING:
@@ -96,18 +96,18 @@ class _Choice:
         return factors
 
 
-def _weights(parameters: dict[str, float]) -> dict[tuple[str, str], float]:
-    """Return how readily a fact is told, by its polarity and strength."""
+def _weights(parameters: dict[str, float]) -> list[float]:
+    """Return how readily a fact is told, by its kind: polarity, then strength; 0 if it waits."""
     liking, extreme = parameters["content_polarity"], parameters["polarization"]
-    polarity = {"good": 2 * liking + 0.05, "neutral": 1.0, "bad": 2 * (1 - liking) + 0.05}
-    strength = {
-        "extremely": 2 * extreme + 0.05,
-        "plainly": 1.0,
-        "somewhat": 2 * (1 - extreme) + 0.05,
-    }
-    return {
-        (one, other): polarity[one] * strength[other] for one in POLARITIES for other in STRENGTHS
-    }
+    good, bad = 2 * liking + 0.05, 2 * (1 - liking) + 0.05
+    extremely, somewhat = 2 * extreme + 0.05, 2 * (1 - extreme) + 0.05
+    # In the order of POLARITIES and STRENGTHS; what waits comes last.
+    return [
+        *(good * somewhat, good, good * extremely),
+        *(somewhat, 1.0, extremely),
+        *(bad * somewhat, bad, bad * extremely),
+        0.0,
+    ]
 
 
 class _Planner:

@@ -12,7 +12,7 @@ from typing import NamedTuple, Protocol, TypeVar
 
 from personage_lite.lexicon import Lexicon, Marker, Rating
 from personage_lite.plan import Decision, SentencePlan
-from personage_lite.randomness import Draws
+from personage_lite.randomness import Draws, pick
 from personage_lite.state import ConversationState, damping
 
 T = TypeVar("T")
@@ -28,31 +28,25 @@ class OperatorDraws:
     Its choices weigh X and the conversation: words suit the speaker and are not worn out.
     """
 
-    __slots__ = ("_draws", "_pull", "_scope", "_used", "_worn", "rating")
+    __slots__ = ("_scope", "_turn", "_used")
 
-    def __init__(
-        self,
-        draws: Draws,
-        scope: str,
-        x: float,
-        state: ConversationState,
-        rating: Rating,
-        used: Set[str],
-    ) -> None:
-        self._draws = draws
+    def __init__(self, turn: Turn, scope: str, used: Set[str]) -> None:
+        self._turn = turn
         self._scope = scope
-        self._worn = state.worn
-        self._pull = _PULL * x
         self._used = used
-        self.rating = rating
+
+    @property
+    def rating(self) -> Rating:
+        """Which expletives are allowed."""
+        return self._turn.rating
 
     def uniform(self, name: str) -> float:
         """Return the number in [0, 1) of this operator, place and `name`."""
-        return self._draws.uniform(f"{self._scope}/{name}")
+        return self._turn.draws.uniform(f"{self._scope}/{name}")
 
     def choose(self, name: str, options: Sequence[T], weights: Sequence[float]) -> T:
         """Return one of `options` by weight."""
-        return self._draws.choose(f"{self._scope}/{name}", options, weights)
+        return pick(self.uniform(name), options, weights)
 
     def marker(self, markers: Sequence[Marker]) -> Marker | None:
         """Return a marker that suits X, rather a fresh one; None if this utterance has used all."""
@@ -64,13 +58,13 @@ class OperatorDraws:
 
     def weights(self, markers: Sequence[Marker]) -> list[float]:
         """Return how readily each marker is chosen at this X, less if it was used lately."""
-        pull, worn = self._pull, self._worn
-        return [
-            marker.weight
-            * exp(marker.lean * pull)
-            * (_WORN ** worn[marker.text] if marker.text in worn else 1.0)
-            for marker in markers
-        ]
+        pull, worn = _PULL * self._turn.x, self._turn.state.worn
+        weights = [marker.weight * exp(marker.lean * pull) for marker in markers]
+        if worn:
+            for index, marker in enumerate(markers):
+                if marker.text in worn:
+                    weights[index] *= _WORN ** worn[marker.text]
+        return weights
 
 
 class Turn(NamedTuple):
@@ -89,7 +83,7 @@ class Turn(NamedTuple):
 
     def rng(self, scope: str, used: Set[str] = frozenset()) -> OperatorDraws:
         """Return the draws of one operator at one place; it chooses none of the words `used`."""
-        return OperatorDraws(self.draws, scope, self.x, self.state, self.rating, used)
+        return OperatorDraws(self, scope, used)
 
     def probability(self, operator: str) -> float:
         """Return an operator's probability: its parameter, damped if it was used lately."""

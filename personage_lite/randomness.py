@@ -8,16 +8,19 @@ whatever Python's own hash seed is.
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from hashlib import blake2b
 from itertools import accumulate
-from struct import unpack
+from struct import Struct
 from typing import TypeVar
 
 T = TypeVar("T")
 _SCALE = 1.0 / (1 << 64)
-# How many numbers one hash of 64 bytes holds.
+# How many numbers one hash of 64 bytes holds, and how to read the first so many of them.
 _ROW = 8
+_FIRST = tuple(Struct(f">{count}Q").unpack_from for count in range(_ROW + 1))
+# How many bytes of a hash make Gaussian numbers, three each.
+_GAUSS = 63
 
 
 class Draws:
@@ -46,27 +49,33 @@ class Draws:
 
         Asking for more leaves the first ones as they are.
         """
+        if count > _ROW:
+            return self.numbers(name, _ROW) + self.numbers(f"{name}+", count - _ROW)
         hasher = self._row.copy()
         hasher.update(name.encode())
-        found = [number * _SCALE for number in unpack(">8Q", hasher.digest())[:count]]
-        if count > _ROW:
-            found += self.numbers(f"{name}+", count - _ROW)
-        return found
+        return [number * _SCALE for number in _FIRST[count](hasher.digest())]
 
     def gauss(self, count: int) -> list[float]:
-        """Return `count` numbers of mean 0 and deviation 1, within ±3.
+        """Return `count` numbers of mean 0 and deviation 1, within ±3."""
+        return self.around([0.0] * count, [1.0] * count)
+
+    def around(self, means: Sequence[float], deviations: Iterable[float]) -> list[float]:
+        """Return a number for each mean, within three of its deviations.
 
         Each is the sum of three even bytes: near enough to normal, and exact on every machine.
         Asking for more leaves the first ones as they are.
         """
-        found: list[float] = []
-        while len(found) < count:
+        even = b""
+        while len(even) < 3 * len(means):
             hasher = self._row.copy()
-            hasher.update(b"gauss/%d" % len(found))
-            digest = hasher.digest()
-            threes = zip(digest[0::3], digest[1::3], digest[2::3], strict=False)
-            found += [(one + two + three - 382.5) / 128.0 for one, two, three in threes]
-        return found[:count]
+            hasher.update(b"gauss/%d" % (len(even) // 3))
+            even += hasher.digest()[:_GAUSS]
+        return [
+            mean + deviation * ((one + two + three - 382.5) / 128.0)
+            for mean, deviation, one, two, three in zip(
+                means, deviations, even[0::3], even[1::3], even[2::3], strict=False
+            )
+        ]
 
     def choose(self, name: str, options: Sequence[T], weights: Sequence[float]) -> T:
         """Return one of `options`, each with a chance in proportion to its weight (>= 0)."""
@@ -81,4 +90,4 @@ def pick(draw: float, options: Sequence[T], weights: Sequence[float]) -> T:
     """
     heaped = list(accumulate(weights))
     # To the right of equal heaps, so that an option of weight 0 is never picked.
-    return options[min(bisect_right(heaped, draw * heaped[-1]), len(options) - 1)]
+    return options[bisect_right(heaped, draw * heaped[-1], 0, len(heaped) - 1)]
