@@ -11,7 +11,7 @@ from math import exp
 from typing import NamedTuple, Protocol, TypeVar
 
 from personage_lite.lexicon import Lexicon, Marker, Rating
-from personage_lite.plan import Decision, SentencePlan
+from personage_lite.plan import Decision, SentencePlan, decided
 from personage_lite.randomness import Draws, pick
 from personage_lite.state import ConversationState, damping
 
@@ -88,7 +88,7 @@ class Turn(NamedTuple):
     def probability(self, operator: str) -> float:
         """Return an operator's probability: its parameter, damped if it was used lately."""
         value = self.parameters.get(operator, 0.0)
-        if value >= 1.0 or not self.state.worn:
+        if not self.state.worn or value >= 1.0:
             return value
         return value * damping(self.state, operator)
 
@@ -124,39 +124,41 @@ def run_operators(
     sentences that were changed and returns the decisions.
     """
     decisions: list[Decision] = []
-    targets = [f"sentence {index + 1}" for index in range(len(sentences))]
-    everywhere = f"sentences 1 to {len(sentences)}" if len(sentences) > 1 else "sentence 1"
+    count = len(sentences)
+    targets = [f"sentence {index + 1}" for index in range(count)]
+    everywhere = f"sentences 1 to {count}" if count > 1 else "sentence 1"
     words = {word for sentence in sentences for word in sentence.words}
-    for operator in operators:
-        name = operator.name
+    numbers, lexicon = turn.draws.numbers, turn.lexicon
+    for name, apply, limit in operators:
         probability = turn.probability(name)
         if probability <= 0.0:
             continue
-        row = turn.draws.numbers(name, len(sentences))
+        row = numbers(name, count)
         lowest = min(row)
         if lowest >= probability:
-            decisions.append(Decision(name, stage, probability, lowest, "not_drawn", everywhere))
+            decisions.append(decided(name, stage, probability, lowest, "not_drawn", everywhere))
             continue
         used = 0
-        for index, (target, draw) in enumerate(zip(targets, row, strict=True)):
+        for index, draw in enumerate(row):
+            target = targets[index]
             if draw >= probability:
-                decisions.append(Decision(name, stage, probability, draw, "not_drawn", target))
+                decisions.append(decided(name, stage, probability, draw, "not_drawn", target))
                 continue
             sentence = sentences[index]
-            rng = turn.rng(f"{name}/{index}", words)
-            changed = operator.apply(sentence, rng=rng, lexicon=turn.lexicon)
+            rng = OperatorDraws(turn, f"{name}/{index}", words)
+            changed = apply(sentence, rng=rng, lexicon=lexicon)
             if changed is None:
-                decisions.append(Decision(name, stage, probability, draw, "not_applicable", target))
+                decisions.append(decided(name, stage, probability, draw, "not_applicable", target))
                 continue
             before = after = ""
             if turn.show is not None:
                 before, after = turn.show(sentence), turn.show(changed)
             decisions.append(
-                Decision(name, stage, probability, draw, "applied", target, before, after)
+                decided(name, stage, probability, draw, "applied", target, before, after)
             )
             words.update(changed.words)
             sentences[index] = changed
             used += 1
-            if used >= operator.limit:
+            if used >= limit:
                 break
     return decisions
