@@ -172,4 +172,4 @@ class Generator:
             yield utterance
 
     def _show(self, plan: SentencePlan) -> str:
-        return self.realizer.realize(assemble(plan))
+        return self.realizer.realize(assemble(plan, plan.clauses))

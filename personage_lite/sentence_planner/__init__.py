@@ -73,18 +73,29 @@ def plan_sentences(
     sentences = with_openings(sentences, plan, character, turn)
     decisions += run_operators(sentences, operators, "pragmatic_markers", turn)
     words = LexicalChoice(turn)
-    sentences = [words.sentence(sentence, index) for index, sentence in enumerate(sentences)]
     referring = ReferringExpressions(character, turn)
-    sentences = [referring.sentence(sentence) for sentence in sentences]
-    decisions += words.decisions + referring.decisions
-    facts = [fact for sentence in sentences for part in sentence.clauses for fact in part.facts]
-    applied = (decision.operator for decision in decisions if decision.status == "applied")
-    marked = (word for sentence in sentences for word in sentence.words)
+    assembled = []
+    facts: list[str] = []
+    marked = {*used}
+    for index, sentence in enumerate(sentences):
+        parts = words.clauses(sentence.clauses, index)
+        if sentence.fragment is None:
+            parts = referring.clauses(parts)
+        else:
+            referring.fragment(sentence.fragment)
+        for part in parts:
+            facts += part.facts
+        marked.update(sentence.words)
+        assembled.append(assemble(sentence, parts))
+    decisions += words.decisions
+    decisions += referring.decisions
+    marked.update(words.words)
+    marked.update([decision.operator for decision in decisions if decision.status == "applied"])
     return PlannedSentences(
-        sentences=tuple(assemble(sentence) for sentence in sentences),
+        sentences=tuple(assembled),
         facts=tuple(dict.fromkeys(facts)),
         decisions=tuple(decisions),
-        markers=frozenset((*applied, *marked, *used, *words.words)),
+        markers=frozenset(marked),
         mentioned=referring.said,
         focus=referring.focus,
         focus_subject=referring.focus_subject,

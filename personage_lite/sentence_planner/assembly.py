@@ -16,15 +16,15 @@ from personage_lite.realizer.specification import (
 )
 
 
-def assemble(plan: SentencePlan) -> Sentence:
-    """Return the realizer's specification of a sentence plan."""
+def assemble(plan: SentencePlan, clauses: tuple[ClausePlan, ...]) -> Sentence:
+    """Return the realizer's specification of a sentence plan with these clauses."""
     if plan.fragment is not None:
         return Sentence(
             plan.fragment, openers=plan.openers, vocative=plan.vocative, terminal=plan.terminal
         )
     bodies: list[tuple[ClausePlan, Clause]] = []
     fronted: tuple[Subordinate, ...] = ()
-    for part in plan.clauses:
+    for part in clauses:
         clause = part.clause
         if part.link == "fronted":
             fronted = (*fronted, Subordinate(part.cue, clause, fronted=True))
@@ -36,12 +36,12 @@ def assemble(plan: SentencePlan) -> Sentence:
         else:
             host, said = bodies[-1]
             bodies[-1] = (host, _attached(said, part))
-    first, rest = bodies[0], bodies[1:]
+    body, *joined = [
+        Joined(part.cue, _framed(part, clause), part.shared_subject) for part, clause in bodies
+    ]
     return Sentence(
-        body=_framed(*first),
-        joined=tuple(
-            Joined(part.cue, _framed(part, clause), part.shared_subject) for part, clause in rest
-        ),
+        body=body.body,
+        joined=tuple(joined),
         openers=plan.openers,
         connective=plan.connective,
         vocative=plan.vocative,
