@@ -118,7 +118,8 @@ class LexicalChoice:
     def clause(self, plan: ClausePlan, contracted: bool) -> ClausePlan:
         """Return a clause plan in words."""
         clause = plan.clause
-        verb, particle, said, asides = clause.verb, clause.particle, clause.complement, clause.asides
+        verb, particle = clause.verb, clause.particle
+        said, asides = clause.complement, clause.asides
         concept = self._lexicon.verbs.get(verb)
         if concept is not None and not particle:
             word = self.word(concept, verb=True)
