@@ -12,7 +12,7 @@ from typing import NamedTuple, Protocol, TypeVar
 
 from personage_lite.lexicon import Lexicon, Marker, Rating
 from personage_lite.plan import Decision, SentencePlan, decided
-from personage_lite.randomness import Draws, pick
+from personage_lite.randomness import SCALE, Draws, pick
 from personage_lite.state import ConversationState, damping
 
 T = TypeVar("T")
@@ -128,19 +128,19 @@ def run_operators(
     targets = [f"sentence {index + 1}" for index in range(count)]
     everywhere = f"sentences 1 to {count}" if count > 1 else "sentence 1"
     words = {word for sentence in sentences for word in sentence.words}
-    numbers, lexicon = turn.draws.numbers, turn.lexicon
+    whole_numbers, lexicon = turn.draws.whole_numbers, turn.lexicon
     for name, apply, limit in operators:
         probability = turn.probability(name)
         if probability <= 0.0:
             continue
-        row = numbers(name, count)
-        lowest = min(row)
+        row = whole_numbers(name, count)
+        lowest = min(row) * SCALE
         if lowest >= probability:
             decisions.append(decided(name, stage, probability, lowest, "not_drawn", everywhere))
             continue
         used = 0
-        for index, draw in enumerate(row):
-            target = targets[index]
+        for index, number in enumerate(row):
+            draw, target = number * SCALE, targets[index]
             if draw >= probability:
                 decisions.append(decided(name, stage, probability, draw, "not_drawn", target))
                 continue

@@ -15,12 +15,14 @@ from struct import Struct
 from typing import TypeVar
 
 T = TypeVar("T")
-_SCALE = 1.0 / (1 << 64)
+# What makes a number in [0, 1) of a whole one below 2^64.
+SCALE = 1.0 / (1 << 64)
 # How many numbers one hash of 64 bytes holds, and how to read the first so many of them.
 _ROW = 8
 _FIRST = tuple(Struct(f">{count}Q").unpack_from for count in range(_ROW + 1))
-# How many bytes of a hash make Gaussian numbers, three each.
+# How many bytes of a hash make Gaussian numbers, three each, and the deviation of their sum.
 _GAUSS = 63
+GAUSS_SCALE = 128.0
 
 
 class Draws:
@@ -42,25 +44,30 @@ class Draws:
         """Return the number in [0, 1) that belongs to `name`."""
         hasher = self._uniform.copy()
         hasher.update(name.encode())
-        return int.from_bytes(hasher.digest(), "big") * _SCALE
+        return int.from_bytes(hasher.digest(), "big") * SCALE
 
     def numbers(self, name: str, count: int) -> list[float]:
         """Return `count` numbers in [0, 1) that belong to `name`, eight at the cost of one.
 
         Asking for more leaves the first ones as they are.
         """
+        return [number * SCALE for number in self.whole_numbers(name, count)]
+
+    def whole_numbers(self, name: str, count: int) -> tuple[int, ...]:
+        """Return the same numbers times 2^64, for those who need only the lowest."""
         if count > _ROW:
-            return self.numbers(name, _ROW) + self.numbers(f"{name}+", count - _ROW)
+            more = self.whole_numbers(f"{name}+", count - _ROW)
+            return (*self.whole_numbers(name, _ROW), *more)
         hasher = self._row.copy()
         hasher.update(name.encode())
-        return [number * _SCALE for number in _FIRST[count](hasher.digest())]
+        return _FIRST[count](hasher.digest())
 
     def gauss(self, count: int) -> list[float]:
         """Return `count` numbers of mean 0 and deviation 1, within ±3."""
-        return self.around([0.0] * count, [1.0] * count)
+        return self.around([0.0] * count, [1.0 / GAUSS_SCALE] * count)
 
     def around(self, means: Sequence[float], deviations: Iterable[float]) -> list[float]:
-        """Return a number for each mean, within three of its deviations.
+        """Return a number for each mean; the deviations are given in parts of `GAUSS_SCALE`.
 
         Each is the sum of three even bytes: near enough to normal, and exact on every machine.
         Asking for more leaves the first ones as they are.
@@ -71,7 +78,7 @@ class Draws:
             hasher.update(b"gauss/%d" % (len(even) // 3))
             even += hasher.digest()[:_GAUSS]
         return [
-            mean + deviation * ((one + two + three - 382.5) / 128.0)
+            mean + deviation * (one + two + three - 382.5)
             for mean, deviation, one, two, three in zip(
                 means, deviations, even[0::3], even[1::3], even[2::3], strict=False
             )

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping
 from typing import Literal, NamedTuple, TypeAlias, cast
 
 from personage_lite.errors import PersonageError, nearest, shown
-from personage_lite.randomness import Draws
+from personage_lite.randomness import GAUSS_SCALE, Draws
 from personage_lite.yaml_reader import Node
 
 Direction: TypeAlias = Literal["rises", "falls", "steady", "split"]
@@ -55,7 +55,7 @@ class Parameter(NamedTuple):
 
 
 class Anchored(NamedTuple):
-    """The parameters' values at one X, and the deviations of the noise on them."""
+    """The parameters' values at one X, and the noise on them: deviations as `Draws` takes them."""
 
     names: tuple[str, ...]
     values: tuple[float, ...]
@@ -82,7 +82,7 @@ class Style(NamedTuple):
         for parameter in self.parameters.values():
             low, high = parameter.anchors[left : left + 2]
             values.append(low + (high - low) * share)
-        deviations = [min(noise, value / 3, (1 - value) / 3) for value in values]
+        deviations = [min(noise, value / 3, (1 - value) / 3) / GAUSS_SCALE for value in values]
         return Anchored(tuple(self.parameters), tuple(values), tuple(deviations))
 
 

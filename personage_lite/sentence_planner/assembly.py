@@ -36,19 +36,22 @@ def assemble(plan: SentencePlan, clauses: tuple[ClausePlan, ...]) -> Sentence:
         else:
             host, said = bodies[-1]
             bodies[-1] = (host, _attached(said, part))
-    body, *joined = [
-        Joined(part.cue, _framed(part, clause), part.shared_subject) for part, clause in bodies
-    ]
+    joined: tuple[Joined, ...] = ()
+    if len(bodies) > 1:
+        joined = tuple(
+            Joined(part.cue, _framed(part, clause), part.shared_subject)
+            for part, clause in bodies[1:]
+        )
     return Sentence(
-        body=body.body,
-        joined=tuple(joined),
-        openers=plan.openers,
-        connective=plan.connective,
-        vocative=plan.vocative,
-        afterthought=plan.afterthought,
-        tag=plan.tag,
-        terminal=plan.terminal,
-        false_start=plan.false_start,
+        _framed(*bodies[0]),
+        joined,
+        plan.openers,
+        plan.connective,
+        plan.vocative,
+        plan.afterthought,
+        plan.tag,
+        plan.terminal,
+        plan.false_start,
     )
 
 

@@ -95,10 +95,10 @@ class LexicalChoice:
         if concept is None:
             return phrase
         word = self.word(concept).text
-        if any(word in adverb.split(" ") for adverb in phrase.adverbs):
+        if phrase.adverbs and any(word in adverb.split(" ") for adverb in phrase.adverbs):
             # "A little little", "kind of kind": another word, if there is one.
             word = self._choose(concept, False, word).text
-        return phrase._replace(adjective=word)
+        return AdjectivePhrase(word, phrase.adverbs)
 
     def phrase(self, phrase: Phrase, restated: bool) -> Phrase:
         """Return a phrase with words for its concepts; a restatement gets another word."""

@@ -183,7 +183,9 @@ class ReferringExpressions:
             frame = plan.frame
             if frame is not None and frame.lead is not None:
                 self._clause_subject = ""
-                frame = frame._replace(lead=self._text(frame.lead))
+                lead = self._text(frame.lead)
+                if lead is not frame.lead:
+                    frame = frame._replace(lead=lead)
             clause = plan.clause
             subject = clause.subject
             if subject is not None and plan.link != "object_relative":

@@ -60,9 +60,7 @@ def lead_text(words: str, topic: NounPhrase) -> Text:
 
 
 def fits(template: Template, plan: ClausePlan) -> bool:
-    """Whether a template is grammatical and true of a clause."""
-    if plan.role != "assertion" or template.polarity not in ("", plan.polarity):
-        return False
+    """Whether a template of a clause's polarity is grammatical and true of it."""
     clause, form = plan.clause, template.form
     if plan.polarity == "neutral" and (
         template.emphatic or (template.hedging and form == "clause")
@@ -146,10 +144,15 @@ def _choose(
     parameter: str, clause: ClausePlan, used: list[str], turn: Turn, rng: OperatorDraws
 ) -> Template | None:
     """Choose among the templates that fit, by lean, freshness and connotation."""
+    if clause.role != "assertion":
+        return None
     able = [
         template
         for template in turn.lexicon.templates.get(parameter, ())
-        if template.name not in used and fits(template, clause)
+        # First what most templates fail.
+        if template.polarity in ("", clause.polarity)
+        and template.name not in used
+        and fits(template, clause)
     ]
     if not able:
         return None
