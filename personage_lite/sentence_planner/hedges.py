@@ -36,8 +36,7 @@ def opener_fits(plan: SentencePlan) -> bool:
 def with_opener(plan: SentencePlan, marker: Marker) -> SentencePlan:
     """Return a sentence with words put before it and before the openers that it has."""
     opener = Opener(marker.text, marker.after)
-    openers, words = (opener, *plan.openers), (*plan.words, marker.text)
-    return SentencePlan(plan.clauses, *plan[1:5], openers, *plan[6:12], words)
+    return plan._replace(openers=(opener, *plan.openers), words=(*plan.words, marker.text))
 
 
 def unhedged(clause: ClausePlan) -> bool:
