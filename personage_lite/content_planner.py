@@ -13,6 +13,7 @@ from math import floor
 from personage_lite.facts import Character, Fact, Relation
 from personage_lite.operators import Turn
 from personage_lite.plan import ContentPlan, Decision, Link, Message, Role, Status, decided
+from personage_lite.randomness import pick
 from personage_lite.realizer.specification import AdjectivePhrase
 
 STAGE = "content_planning"
@@ -81,7 +82,7 @@ class _Choice:
         if not index:
             for place in character.by_others:
                 weights[place] *= _OTHER_SUBJECT_FIRST
-        fact = self._turn.draws.choose(f"fact/{index}", character.facts, weights)
+        fact = pick(self._turn.draws.uniform(f"fact/{index}"), character.facts, weights)
         self._open.discard(fact.id)
         self._weights[places[fact.id]] = 0.0
         # What waited for this fact alone can now be told.

@@ -54,7 +54,7 @@ class OperatorDraws:
         able = [marker for marker in markers if marker.text not in used] if used else markers
         if len(able) < 2:
             return able[0] if able else None
-        return self.choose("marker", able, self.weights(able))
+        return pick(self.uniform("marker"), able, self.weights(able))
 
     def weights(self, markers: Sequence[Marker]) -> list[float]:
         """Return how readily each marker is chosen at this X, less if it was used lately."""
@@ -129,8 +129,10 @@ def run_operators(
     everywhere = f"sentences 1 to {count}" if count > 1 else "sentence 1"
     words = {word for sentence in sentences for word in sentence.words}
     whole_numbers, lexicon = turn.draws.whole_numbers, turn.lexicon
+    parameters, worn = turn.parameters, turn.state.worn
     for name, apply, limit in operators:
-        probability = turn.probability(name)
+        # Asked first for what most turns need: nothing has been worn yet.
+        probability = turn.probability(name) if worn else parameters.get(name, 0.0)
         if probability <= 0.0:
             continue
         row = whole_numbers(name, count)
