@@ -29,6 +29,8 @@ _RELATED = {
     "contrast": 10.0,
 }
 _OPPOSING = ("concession", "contrast")
+# Of two relations between the same facts, one of these is what is said.
+_TELLING = (*_OPPOSING, "justification")
 _SAME_TOPIC = 3.0
 _OTHER_SUBJECT_FIRST = 0.3
 _SAID_AGAIN: tuple[tuple[str, Role], ...] = (
@@ -166,7 +168,7 @@ class _Planner:
             between = right.id in (relation.nucleus, relation.satellite)
             if not between or relation.kind == "restatement":
                 continue
-            if found is None or relation.kind in ("justification", *_OPPOSING):
+            if found is None or relation.kind in _TELLING:
                 found = relation
         if found is not None:
             return Link(

@@ -95,7 +95,7 @@ def noisy(anchored: Anchored, draws: Draws) -> dict[str, float]:
     return dict(zip(names, draws.around(values, deviations), strict=True))
 
 
-def check_x(x: float) -> float:
+def check_x(x: float | str) -> float:
     """Return X as a float; raises `PersonageError` unless it is a number in [-2, 2]."""
     try:
         number = float(x)
