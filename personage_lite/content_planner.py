@@ -6,12 +6,14 @@ the choice. Source: Mairesse & Walker 2011, section 4.1; the paper, section IV-C
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from itertools import pairwise
 from math import floor
 
-from personage_lite.facts import POLARITIES, STRENGTHS, Character, Fact, Relation
+from personage_lite.facts import Character, Fact, Relation
 from personage_lite.operators import Turn
-from personage_lite.plan import ContentPlan, Decision, Link, Message, Role, Status
+from personage_lite.plan import ContentPlan, Decision, Link, Message, Role, Status, decided
+from personage_lite.randomness import pick
 from personage_lite.realizer.specification import AdjectivePhrase
 
 STAGE = "content_planning"
@@ -27,9 +29,16 @@ _RELATED = {
     "contrast": 10.0,
 }
 _OPPOSING = ("concession", "contrast")
+# Of two relations between the same facts, one of these is what is said.
+_TELLING = (*_OPPOSING, "justification")
 _SAME_TOPIC = 3.0
 _OTHER_SUBJECT_FIRST = 0.3
-_NOTHING = Link("none")
+_SAID_AGAIN: tuple[tuple[str, Role], ...] = (
+    ("repetitions", "repetition"),
+    ("restatements", "restatement"),
+)
+# What holds between facts without a relation, and between a fact and itself.
+_NOTHING, _SAME_SUBJECT, _AGAIN = Link("none"), Link("infer"), Link("restatement")
 
 
 class _Choice:
@@ -41,16 +50,16 @@ class _Choice:
         told = turn.state.told_of(character.entity.id)
         self._table = table = _weights(turn.parameters)
         # A weight for each fact in the order of the file; 0 for what cannot be told now.
+        self._weights = [table[kind] for kind in character.openings]
+        self._open = set(character.by_id)
         if told:
-            fewest = min(told.get(key, 0) for key in character.by_id)
-            self._open = {key for key in character.by_id if told.get(key, 0) == fewest}
-            self._weights = [
-                table[fact.polarity, fact.strength] if self._ready(fact.id) else 0.0
-                for fact in character.facts
-            ]
-        else:
-            self._open = set(character.by_id)
-            self._weights = [table[kind] if kind else 0.0 for kind in character.openings]
+            counts = [told.get(key, 0) for key in character.by_id]
+            fewest = min(counts)
+            for place, (key, count) in enumerate(zip(character.by_id, counts, strict=True)):
+                if count != fewest:
+                    self._open.discard(key)
+                    self._weights[place] = 0.0
+            self._unlock(character.prerequisites)
 
     def _ready(self, key: str) -> bool:
         """Whether a fact is open and all that must be told before it has been told."""
@@ -69,25 +78,30 @@ class _Choice:
         if last is not None:
             for place in character.by_topic[last.topic]:
                 weights[place] *= _SAME_TOPIC
-            for key, factor in self._related(last).items():
-                weights[places[key]] *= factor
+            if last.id in character.related:
+                for key, factor in self._related(last).items():
+                    weights[places[key]] *= factor
         if not index:
             for place in character.by_others:
                 weights[place] *= _OTHER_SUBJECT_FIRST
-        fact = self._turn.draws.choose(f"fact/{index}", character.facts, weights)
+        fact = pick(self._turn.draws.uniform(f"fact/{index}"), character.facts, weights)
         self._open.discard(fact.id)
         self._weights[places[fact.id]] = 0.0
-        for key in character.unlocks.get(fact.id, ()):
-            # What waited for this fact alone can now be told.
-            if self._ready(key):
-                opened = character.by_id[key]
-                self._weights[places[key]] = self._table[opened.polarity, opened.strength]
+        # What waited for this fact alone can now be told.
+        self._unlock(character.unlocks.get(fact.id, ()))
         return fact
+
+    def _unlock(self, keys: Iterable[str]) -> None:
+        """Give those facts their weights that wait for nothing any more."""
+        for key in keys:
+            if self._ready(key):
+                place = self._character.places[key]
+                self._weights[place] = self._table[self._character.kinds[place]]
 
     def _related(self, last: Fact) -> dict[str, float]:
         factors: dict[str, float] = {}
         concessions = 2 * self._turn.parameters["concessions"]
-        for relation in self._character.related.get(last.id, ()):
+        for relation in self._character.related[last.id]:
             other = relation.satellite if relation.nucleus == last.id else relation.nucleus
             factor = _RELATED[relation.kind]
             if relation.kind in _OPPOSING:
@@ -96,18 +110,18 @@ class _Choice:
         return factors
 
 
-def _weights(parameters: dict[str, float]) -> dict[tuple[str, str], float]:
-    """Return how readily a fact is told, by its polarity and strength."""
+def _weights(parameters: dict[str, float]) -> list[float]:
+    """Return how readily a fact is told, by its kind: polarity, then strength; 0 if it waits."""
     liking, extreme = parameters["content_polarity"], parameters["polarization"]
-    polarity = {"good": 2 * liking + 0.05, "neutral": 1.0, "bad": 2 * (1 - liking) + 0.05}
-    strength = {
-        "extremely": 2 * extreme + 0.05,
-        "plainly": 1.0,
-        "somewhat": 2 * (1 - extreme) + 0.05,
-    }
-    return {
-        (one, other): polarity[one] * strength[other] for one in POLARITIES for other in STRENGTHS
-    }
+    good, bad = 2 * liking + 0.05, 2 * (1 - liking) + 0.05
+    extremely, somewhat = 2 * extreme + 0.05, 2 * (1 - extreme) + 0.05
+    # In the order of POLARITIES and STRENGTHS; what waits comes last.
+    return [
+        *(good * somewhat, good, good * extremely),
+        *(somewhat, 1.0, extremely),
+        *(bad * somewhat, bad, bad * extremely),
+        0.0,
+    ]
 
 
 class _Planner:
@@ -122,9 +136,10 @@ class _Planner:
         """Draw for a planning decision and note it."""
         probability = self.turn.probability(name)
         draw = self.turn.draws.uniform(name)
-        status: Status = "applied" if draw < probability else "not_drawn"
-        self.decisions.append(Decision(name, STAGE, probability, draw, status))
-        return draw < probability
+        applied = draw < probability
+        status: Status = "applied" if applied else "not_drawn"
+        self.decisions.append(decided(name, STAGE, probability, draw, status))
+        return applied
 
     def chosen(self) -> list[Fact]:
         """Return the facts of this turn in the order of choice."""
@@ -143,7 +158,7 @@ class _Planner:
             facts.append(fact)
             last = fact
         target = f"{len(facts)} fact{'s' * (len(facts) != 1)}"
-        self.decisions.append(Decision("verbosity", STAGE, verbosity, draw, "applied", target))
+        self.decisions.append(decided("verbosity", STAGE, verbosity, draw, "applied", target))
         return facts
 
     def link(self, left: Fact, right: Fact) -> Link:
@@ -153,7 +168,7 @@ class _Planner:
             between = right.id in (relation.nucleus, relation.satellite)
             if not between or relation.kind == "restatement":
                 continue
-            if found is None or relation.kind in ("justification", *_OPPOSING):
+            if found is None or relation.kind in _TELLING:
                 found = relation
         if found is not None:
             return Link(
@@ -161,7 +176,7 @@ class _Planner:
                 satellite_first=found.satellite == left.id,
                 fixed_order=left.id in self.character.prerequisites.get(right.id, ()),
             )
-        return Link("infer") if left.about == right.about else _NOTHING
+        return _SAME_SUBJECT if left.about == right.about else _NOTHING
 
     def stress(self, links: list[Link], messages: list[Message]) -> list[Link]:
         """Make the good side of a concession its nucleus, if drawn: the stress falls there.
@@ -201,18 +216,14 @@ class _Planner:
 
     def say_again(self, messages: list[Message]) -> None:
         """Put a repetition and a restatement after messages that allow one."""
-        liking = self.turn.parameters["repetition_polarity"]
-        kinds: tuple[tuple[str, Role], ...] = (
-            ("repetitions", "repetition"),
-            ("restatements", "restatement"),
-        )
-        for name, role in kinds:
+        for name, role in _SAID_AGAIN:
             if not self.decide(name):
                 continue
             able = [index for index, message in enumerate(messages) if _repeatable(messages, index)]
             if not able:
                 self.decisions[-1] = self.decisions[-1]._replace(status="not_applicable")
                 continue
+            liking = self.turn.parameters["repetition_polarity"]
             weight = {"good": liking + 0.02, "neutral": 0.5, "bad": 1.02 - liking}
             weights = [weight[messages[index].fact.polarity] for index in able]
             index = self.turn.draws.choose(f"{name}/which", able, weights)
@@ -243,10 +254,11 @@ def plan_content(character: Character, turn: Turn) -> tuple[ContentPlan, list[De
     messages = [Message(fact) for fact in planner.order(planner.chosen())]
     planner.say_again(messages)
     links = [
-        planner.link(left.fact, right.fact) if right.role == "assertion" else Link("restatement")
+        planner.link(left.fact, right.fact) if right.role == "assertion" else _AGAIN
         for left, right in pairwise(messages)
     ]
-    links = planner.stress(links, messages)
+    if links:
+        links = planner.stress(links, messages)
     new_topic = turn.state.topic != character.entity.id
     confirmation = new_topic and planner.decide("request_confirmation")
     # Nobody disclaims a plain neutral fact.

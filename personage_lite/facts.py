@@ -25,6 +25,8 @@ RELATION_KINDS: tuple[str, ...] = (
     "restatement",
     "sequence",
 )
+# In place of the kind of a fact that cannot be told yet: the last entry of a table of kinds.
+WAITS = -1
 # The second of these pairs makes sense only when the first has been told.
 ORDERED_KINDS: tuple[str, ...] = ("elaboration", "sequence")
 
@@ -111,11 +113,11 @@ class Relation(NamedTuple):
 class Character(NamedTuple):
     """All that is known of one entity, made by `character`; any kind of thing can be one.
 
-    `places` holds each fact's place in the file, `openings` the polarity and strength of those
-    that can be told before anything else, `by_topic` the places of each topic's facts,
-    `by_others` the places of those that are about somebody else. `related` holds each fact's
-    relations; `prerequisites` the facts that must be told before a
-    fact makes sense, `unlocks` the same the other way round.
+    `places` holds each fact's place in the file, `kinds` its place in a table of polarities by
+    strengths, `openings` the same, with `WAITS` for those that cannot be told before anything
+    else; `by_topic` the places of each topic's facts, `by_others` the places of those that are
+    about somebody else. `related` holds each fact's relations; `prerequisites` the facts that
+    must be told before a fact makes sense, `unlocks` the same the other way round.
     """
 
     entity: Entity
@@ -126,7 +128,8 @@ class Character(NamedTuple):
     file: str
     by_id: dict[str, Fact]
     places: dict[str, int]
-    openings: tuple[tuple[Polarity, Strength] | None, ...]
+    kinds: tuple[int, ...]
+    openings: tuple[int, ...]
     by_topic: dict[str, tuple[int, ...]]
     by_others: tuple[int, ...]
     related: dict[str, tuple[Relation, ...]]
@@ -143,6 +146,10 @@ def character(
     file: str,
 ) -> Character:
     """Make a character, with the look-up tables that planning needs."""
+    kinds = tuple(
+        POLARITIES.index(fact.polarity) * len(STRENGTHS) + STRENGTHS.index(fact.strength)
+        for fact in facts
+    )
     by_topic: dict[str, tuple[int, ...]] = {}
     for place, fact in enumerate(facts):
         by_topic[fact.topic] = (*by_topic.get(fact.topic, ()), place)
@@ -165,8 +172,10 @@ def character(
         file=file,
         by_id={fact.id: fact for fact in facts},
         places={fact.id: place for place, fact in enumerate(facts)},
+        kinds=kinds,
         openings=tuple(
-            None if fact.id in prerequisites else (fact.polarity, fact.strength) for fact in facts
+            WAITS if fact.id in prerequisites else kind
+            for fact, kind in zip(facts, kinds, strict=True)
         ),
         by_topic=by_topic,
         by_others=tuple(place for place, fact in enumerate(facts) if fact.about != about.id),

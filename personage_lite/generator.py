@@ -120,7 +120,7 @@ class Generator:
 
         content, decisions = plan_content(about, turn)
         planned = plan_sentences(content, about, plain, turn, self._operators)
-        text = " ".join(self.realizer.realize(sentence) for sentence in planned.sentences)
+        text = " ".join([self.realizer.realize(sentence) for sentence in planned.sentences])
 
         opened = {d.operator for d in decisions if d.status == "applied"}
         after = state.after(
@@ -172,4 +172,4 @@ class Generator:
             yield utterance
 
     def _show(self, plan: SentencePlan) -> str:
-        return self.realizer.realize(assemble(plan))
+        return self.realizer.realize(assemble(plan, plan.clauses))

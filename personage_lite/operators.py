@@ -11,8 +11,8 @@ from math import exp
 from typing import NamedTuple, Protocol, TypeVar
 
 from personage_lite.lexicon import Lexicon, Marker, Rating
-from personage_lite.plan import Decision, SentencePlan
-from personage_lite.randomness import Draws
+from personage_lite.plan import Decision, SentencePlan, decided
+from personage_lite.randomness import SCALE, Draws, pick
 from personage_lite.state import ConversationState, damping
 
 T = TypeVar("T")
@@ -28,31 +28,25 @@ class OperatorDraws:
     Its choices weigh X and the conversation: words suit the speaker and are not worn out.
     """
 
-    __slots__ = ("_draws", "_pull", "_scope", "_used", "_worn", "rating")
+    __slots__ = ("_scope", "_turn", "_used")
 
-    def __init__(
-        self,
-        draws: Draws,
-        scope: str,
-        x: float,
-        state: ConversationState,
-        rating: Rating,
-        used: Set[str],
-    ) -> None:
-        self._draws = draws
+    def __init__(self, turn: Turn, scope: str, used: Set[str]) -> None:
+        self._turn = turn
         self._scope = scope
-        self._worn = state.worn
-        self._pull = _PULL * x
         self._used = used
-        self.rating = rating
+
+    @property
+    def rating(self) -> Rating:
+        """Which expletives are allowed."""
+        return self._turn.rating
 
     def uniform(self, name: str) -> float:
         """Return the number in [0, 1) of this operator, place and `name`."""
-        return self._draws.uniform(f"{self._scope}/{name}")
+        return self._turn.draws.uniform(f"{self._scope}/{name}")
 
     def choose(self, name: str, options: Sequence[T], weights: Sequence[float]) -> T:
         """Return one of `options` by weight."""
-        return self._draws.choose(f"{self._scope}/{name}", options, weights)
+        return pick(self.uniform(name), options, weights)
 
     def marker(self, markers: Sequence[Marker]) -> Marker | None:
         """Return a marker that suits X, rather a fresh one; None if this utterance has used all."""
@@ -60,17 +54,17 @@ class OperatorDraws:
         able = [marker for marker in markers if marker.text not in used] if used else markers
         if len(able) < 2:
             return able[0] if able else None
-        return self.choose("marker", able, self.weights(able))
+        return pick(self.uniform("marker"), able, self.weights(able))
 
     def weights(self, markers: Sequence[Marker]) -> list[float]:
         """Return how readily each marker is chosen at this X, less if it was used lately."""
-        pull, worn = self._pull, self._worn
-        return [
-            marker.weight
-            * exp(marker.lean * pull)
-            * (_WORN ** worn[marker.text] if marker.text in worn else 1.0)
-            for marker in markers
-        ]
+        pull, worn = _PULL * self._turn.x, self._turn.state.worn
+        weights = [marker.weight * exp(marker.lean * pull) for marker in markers]
+        if worn:
+            for index, marker in enumerate(markers):
+                if marker.text in worn:
+                    weights[index] *= _WORN ** worn[marker.text]
+        return weights
 
 
 class Turn(NamedTuple):
@@ -89,12 +83,12 @@ class Turn(NamedTuple):
 
     def rng(self, scope: str, used: Set[str] = frozenset()) -> OperatorDraws:
         """Return the draws of one operator at one place; it chooses none of the words `used`."""
-        return OperatorDraws(self.draws, scope, self.x, self.state, self.rating, used)
+        return OperatorDraws(self, scope, used)
 
     def probability(self, operator: str) -> float:
         """Return an operator's probability: its parameter, damped if it was used lately."""
         value = self.parameters.get(operator, 0.0)
-        if value >= 1.0 or not self.state.worn:
+        if not self.state.worn or value >= 1.0:
             return value
         return value * damping(self.state, operator)
 
@@ -130,39 +124,43 @@ def run_operators(
     sentences that were changed and returns the decisions.
     """
     decisions: list[Decision] = []
-    targets = [f"sentence {index + 1}" for index in range(len(sentences))]
-    everywhere = f"sentences 1 to {len(sentences)}" if len(sentences) > 1 else "sentence 1"
+    count = len(sentences)
+    targets = [f"sentence {index + 1}" for index in range(count)]
+    everywhere = f"sentences 1 to {count}" if count > 1 else "sentence 1"
     words = {word for sentence in sentences for word in sentence.words}
-    for operator in operators:
-        name = operator.name
-        probability = turn.probability(name)
+    whole_numbers, lexicon = turn.draws.whole_numbers, turn.lexicon
+    parameters, worn = turn.parameters, turn.state.worn
+    for name, apply, limit in operators:
+        # Asked first for what most turns need: nothing has been worn yet.
+        probability = turn.probability(name) if worn else parameters.get(name, 0.0)
         if probability <= 0.0:
             continue
-        row = turn.draws.numbers(name, len(sentences))
-        lowest = min(row)
+        row = whole_numbers(name, count)
+        lowest = min(row) * SCALE
         if lowest >= probability:
-            decisions.append(Decision(name, stage, probability, lowest, "not_drawn", everywhere))
+            decisions.append(decided(name, stage, probability, lowest, "not_drawn", everywhere))
             continue
         used = 0
-        for index, (target, draw) in enumerate(zip(targets, row, strict=True)):
+        for index, number in enumerate(row):
+            draw, target = number * SCALE, targets[index]
             if draw >= probability:
-                decisions.append(Decision(name, stage, probability, draw, "not_drawn", target))
+                decisions.append(decided(name, stage, probability, draw, "not_drawn", target))
                 continue
             sentence = sentences[index]
-            rng = turn.rng(f"{name}/{index}", words)
-            changed = operator.apply(sentence, rng=rng, lexicon=turn.lexicon)
+            rng = OperatorDraws(turn, f"{name}/{index}", words)
+            changed = apply(sentence, rng=rng, lexicon=lexicon)
             if changed is None:
-                decisions.append(Decision(name, stage, probability, draw, "not_applicable", target))
+                decisions.append(decided(name, stage, probability, draw, "not_applicable", target))
                 continue
             before = after = ""
             if turn.show is not None:
                 before, after = turn.show(sentence), turn.show(changed)
             decisions.append(
-                Decision(name, stage, probability, draw, "applied", target, before, after)
+                decided(name, stage, probability, draw, "applied", target, before, after)
             )
             words.update(changed.words)
             sentences[index] = changed
             used += 1
-            if used >= operator.limit:
+            if used >= limit:
                 break
     return decisions

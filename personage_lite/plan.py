@@ -31,6 +31,21 @@ class Decision(NamedTuple):
     after: str = ""
 
 
+def decided(
+    operator: str,
+    stage: str,
+    probability: float,
+    draw: float,
+    status: Status,
+    target: str = "",
+    before: str = "",
+    after: str = "",
+) -> Decision:
+    """Return a decision; it takes half as long as by its class, and a turn makes dozens."""
+    fields = (operator, stage, probability, draw, status, target, before, after)
+    return tuple.__new__(Decision, fields)
+
+
 class Message(NamedTuple):
     """A fact chosen to be said, or to be said again."""
 

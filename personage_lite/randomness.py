@@ -8,16 +8,21 @@ whatever Python's own hash seed is.
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from hashlib import blake2b
 from itertools import accumulate
-from struct import unpack
+from struct import Struct
 from typing import TypeVar
 
 T = TypeVar("T")
-_SCALE = 1.0 / (1 << 64)
-# How many numbers one hash of 64 bytes holds.
+# What makes a number in [0, 1) of a whole one below 2^64.
+SCALE = 1.0 / (1 << 64)
+# How many numbers one hash of 64 bytes holds, and how to read the first so many of them.
 _ROW = 8
+_FIRST = tuple(Struct(f">{count}Q").unpack_from for count in range(_ROW + 1))
+# How many bytes of a hash make Gaussian numbers, three each, and the deviation of their sum.
+_GAUSS = 63
+GAUSS_SCALE = 128.0
 
 
 class Draws:
@@ -39,34 +44,45 @@ class Draws:
         """Return the number in [0, 1) that belongs to `name`."""
         hasher = self._uniform.copy()
         hasher.update(name.encode())
-        return int.from_bytes(hasher.digest(), "big") * _SCALE
+        return int.from_bytes(hasher.digest(), "big") * SCALE
 
     def numbers(self, name: str, count: int) -> list[float]:
         """Return `count` numbers in [0, 1) that belong to `name`, eight at the cost of one.
 
         Asking for more leaves the first ones as they are.
         """
+        return [number * SCALE for number in self.whole_numbers(name, count)]
+
+    def whole_numbers(self, name: str, count: int) -> tuple[int, ...]:
+        """Return the same numbers times 2^64, for those who need only the lowest."""
+        if count > _ROW:
+            more = self.whole_numbers(f"{name}+", count - _ROW)
+            return (*self.whole_numbers(name, _ROW), *more)
         hasher = self._row.copy()
         hasher.update(name.encode())
-        found = [number * _SCALE for number in unpack(">8Q", hasher.digest())[:count]]
-        if count > _ROW:
-            found += self.numbers(f"{name}+", count - _ROW)
-        return found
+        return _FIRST[count](hasher.digest())
 
     def gauss(self, count: int) -> list[float]:
-        """Return `count` numbers of mean 0 and deviation 1, within ±3.
+        """Return `count` numbers of mean 0 and deviation 1, within ±3."""
+        return self.around([0.0] * count, [1.0 / GAUSS_SCALE] * count)
+
+    def around(self, means: Sequence[float], deviations: Iterable[float]) -> list[float]:
+        """Return a number for each mean; the deviations are given in parts of `GAUSS_SCALE`.
 
         Each is the sum of three even bytes: near enough to normal, and exact on every machine.
         Asking for more leaves the first ones as they are.
         """
-        found: list[float] = []
-        while len(found) < count:
+        even = b""
+        while len(even) < 3 * len(means):
             hasher = self._row.copy()
-            hasher.update(b"gauss/%d" % len(found))
-            digest = hasher.digest()
-            threes = zip(digest[0::3], digest[1::3], digest[2::3], strict=False)
-            found += [(one + two + three - 382.5) / 128.0 for one, two, three in threes]
-        return found[:count]
+            hasher.update(b"gauss/%d" % (len(even) // 3))
+            even += hasher.digest()[:_GAUSS]
+        return [
+            mean + deviation * (one + two + three - 382.5)
+            for mean, deviation, one, two, three in zip(
+                means, deviations, even[0::3], even[1::3], even[2::3], strict=False
+            )
+        ]
 
     def choose(self, name: str, options: Sequence[T], weights: Sequence[float]) -> T:
         """Return one of `options`, each with a chance in proportion to its weight (>= 0)."""
@@ -81,4 +97,4 @@ def pick(draw: float, options: Sequence[T], weights: Sequence[float]) -> T:
     """
     heaped = list(accumulate(weights))
     # To the right of equal heaps, so that an option of weight 0 is never picked.
-    return options[min(bisect_right(heaped, draw * heaped[-1]), len(options) - 1)]
+    return options[bisect_right(heaped, draw * heaped[-1], 0, len(heaped) - 1)]

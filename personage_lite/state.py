@@ -53,8 +53,8 @@ class ConversationState(NamedTuple):
         for fact in facts:
             counts[fact] = counts.get(fact, 0) + 1
         recent = (markers, *self.recent[: MEMORY_TURNS - 1])
-        worn: dict[str, int] = {}
-        for turn in recent:
+        worn = dict.fromkeys(markers, 1)
+        for turn in recent[1:]:
             for marker in turn:
                 worn[marker] = worn.get(marker, 0) + 1
         return ConversationState(

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping
 from typing import Literal, NamedTuple, TypeAlias, cast
 
 from personage_lite.errors import PersonageError, nearest, shown
-from personage_lite.randomness import Draws
+from personage_lite.randomness import GAUSS_SCALE, Draws
 from personage_lite.yaml_reader import Node
 
 Direction: TypeAlias = Literal["rises", "falls", "steady", "split"]
@@ -55,11 +55,11 @@ class Parameter(NamedTuple):
 
 
 class Anchored(NamedTuple):
-    """A parameter's value at one X, and the deviation of the noise on it."""
+    """The parameters' values at one X, and the noise on them: deviations as `Draws` takes them."""
 
-    name: str
-    value: float
-    noise: float
+    names: tuple[str, ...]
+    values: tuple[float, ...]
+    deviations: tuple[float, ...]
 
 
 class Style(NamedTuple):
@@ -69,35 +69,33 @@ class Style(NamedTuple):
     noise: float
     parameters: dict[str, Parameter]
 
-    def anchored(self, x: float) -> tuple[Anchored, ...]:
-        """Return every parameter's value at X, interpolated, with the deviation of its noise.
+    def anchored(self, x: float) -> Anchored:
+        """Return the parameters' values at X, interpolated, with the deviations of their noise.
 
         Near 0 and 1 there is less noise, so that what is rare does not become common by chance
         and no value leaves [0, 1]; a value of 0 or 1 means never or always and stays so.
         """
         left = min(int(x - LOWEST_X), _ANCHORS - 2)
         share = x - LOWEST_X - left
-        found = []
-        for name, parameter in self.parameters.items():
-            low, high = parameter.anchors[left], parameter.anchors[left + 1]
-            value = low + (high - low) * share
-            found.append(Anchored(name, value, min(self.noise, value / 3, (1 - value) / 3)))
-        return tuple(found)
+        noise = self.noise
+        values = []
+        for parameter in self.parameters.values():
+            low, high = parameter.anchors[left : left + 2]
+            values.append(low + (high - low) * share)
+        deviations = [min(noise, value / 3, (1 - value) / 3) / GAUSS_SCALE for value in values]
+        return Anchored(tuple(self.parameters), tuple(values), tuple(deviations))
 
 
-def noisy(anchored: tuple[Anchored, ...], draws: Draws) -> dict[str, float]:
+def noisy(anchored: Anchored, draws: Draws) -> dict[str, float]:
     """Return the parameters' values for one utterance, with Gaussian noise as in PERSONAGE.
 
     The noise goes by place in the file: a new parameter goes to its end, so that the others stay.
     """
-    deviations = draws.gauss(len(anchored))
-    return {
-        name: value + noise * deviation
-        for (name, value, noise), deviation in zip(anchored, deviations, strict=True)
-    }
+    names, values, deviations = anchored
+    return dict(zip(names, draws.around(values, deviations), strict=True))
 
 
-def check_x(x: float) -> float:
+def check_x(x: float | str) -> float:
     """Return X as a float; raises `PersonageError` unless it is a number in [-2, 2]."""
     try:
         number = float(x)

@@ -12,7 +12,15 @@ from typing import NamedTuple
 
 from personage_lite.facts import Character
 from personage_lite.operators import Operator, Turn, run_operators
-from personage_lite.plan import ClausePlan, ContentPlan, Decision, Link, SentencePlan, Status
+from personage_lite.plan import (
+    ClausePlan,
+    ContentPlan,
+    Decision,
+    Link,
+    SentencePlan,
+    Status,
+    decided,
+)
 from personage_lite.randomness import pick
 from personage_lite.realizer.specification import Sentence
 from personage_lite.sentence_planner import hedges, rewording, speech
@@ -73,18 +81,29 @@ def plan_sentences(
     sentences = with_openings(sentences, plan, character, turn)
     decisions += run_operators(sentences, operators, "pragmatic_markers", turn)
     words = LexicalChoice(turn)
-    sentences = [words.sentence(sentence, index) for index, sentence in enumerate(sentences)]
     referring = ReferringExpressions(character, turn)
-    sentences = [referring.sentence(sentence) for sentence in sentences]
-    decisions += words.decisions + referring.decisions
-    facts = [fact for sentence in sentences for part in sentence.clauses for fact in part.facts]
-    applied = (decision.operator for decision in decisions if decision.status == "applied")
-    marked = (word for sentence in sentences for word in sentence.words)
+    assembled = []
+    facts: list[str] = []
+    marked = {*used}
+    for index, sentence in enumerate(sentences):
+        parts = words.clauses(sentence.clauses, index)
+        if sentence.fragment is None:
+            parts = referring.clauses(parts)
+        else:
+            referring.fragment(sentence.fragment)
+        for part in parts:
+            facts += part.facts
+        marked.update(sentence.words)
+        assembled.append(assemble(sentence, parts))
+    decisions += words.decisions
+    decisions += referring.decisions
+    marked.update(words.words)
+    marked.update([decision.operator for decision in decisions if decision.status == "applied"])
     return PlannedSentences(
-        sentences=tuple(assemble(sentence) for sentence in sentences),
+        sentences=tuple(assembled),
         facts=tuple(dict.fromkeys(facts)),
         decisions=tuple(decisions),
-        markers=frozenset((*applied, *marked, *used, *words.words)),
+        markers=frozenset(marked),
         mentioned=referring.said,
         focus=referring.focus,
         focus_subject=referring.focus_subject,
@@ -99,28 +118,30 @@ def aggregate(
     An operator whose constraint does not hold is struck off and another one drawn.
     """
     done: list[SentencePlan] = []
-    current = SentencePlan((clauses[0],))
+    current = SentencePlan((clauses[0],), first=True)
     decisions: list[Decision] = []
     for index, (clause, link) in enumerate(zip(clauses[1:], links, strict=True)):
         # Where clauses changed places, what the relation holds of is no longer the last one.
-        if not set(clauses[index].facts) <= set(current.clauses[-1].facts):
+        last = current.clauses[-1]
+        if last is not clauses[index] and not set(clauses[index].facts) <= set(last.facts):
             if clause.role != "assertion":
                 continue  # it would say again, alone, what was said before
             link = Link("none")
-        joint, made = _join(Pair(current, clause, link), index, turn)
+        (*before, current), made = _join(Pair(current, clause, link), index, turn)
         decisions += made
-        done.extend(joint[:-1])
-        current = joint[-1]
+        done += before
     return [*done, current], decisions
 
 
 def _join(pair: Pair, index: int, turn: Turn) -> tuple[Joint, list[Decision]]:
     decisions: list[Decision] = []
-    both_plain = plain(pair.last) and plain(pair.right)
-    able = [joiner for joiner in COMPETING[pair.link.kind] if both_plain or not joiner.embedding]
-    target = f"{pair.link.kind} {index + 1}"
+    left, right, kind = pair.left, pair.right, pair.link.kind
+    able = list(COMPETING[kind])
+    if not (plain(pair.last) and plain(right)):
+        able = [joiner for joiner in able if not joiner.embedding]
+    weights = [joiner.factor * turn.parameters[joiner.name] for joiner in able]
+    target = f"{kind} {index + 1}"
     while able:
-        weights = [joiner.factor * turn.parameters[joiner.name] for joiner in able]
         total = sum(weights)
         if not total:
             break
@@ -130,25 +151,26 @@ def _join(pair: Pair, index: int, turn: Turn) -> tuple[Joint, list[Decision]]:
         joint = joiner.apply(pair, rng=turn.rng(f"{name}/{index}"), lexicon=turn.lexicon)
         before = after = ""
         if joint is not None and turn.show is not None:
-            before = f"{turn.show(pair.left)} + {turn.show(SentencePlan((pair.right,)))}"
+            before = f"{turn.show(left)} + {turn.show(SentencePlan((right,)))}"
             after = " ".join(turn.show(sentence) for sentence in joint)
-        chance = joiner.factor * turn.parameters[name] / total
+        place = able.index(joiner)
+        chance = weights[place] / total
         status: Status = "not_applicable" if joint is None else "applied"
-        decisions.append(Decision(name, "aggregation", chance, draw, status, target, before, after))
+        decisions.append(decided(name, "aggregation", chance, draw, status, target, before, after))
         if joint is not None:
             return joint, decisions
-        able.remove(joiner)
+        del able[place], weights[place]
     # What only says again what the sentence says already can be left out; all else stands alone.
-    if pair.link.kind == "restatement":
-        return (pair.left,), decisions
-    return (pair.left, SentencePlan((pair.right,))), decisions
+    if kind == "restatement":
+        return (left,), decisions
+    return (left, SentencePlan((right,))), decisions
 
 
 def with_openings(
     sentences: list[SentencePlan], plan: ContentPlan, character: Character, turn: Turn
 ) -> list[SentencePlan]:
     """Note what each sentence follows, and open with what the content plan asks for."""
-    placed = [sentences[0]._replace(first=True)]
+    placed = [sentences[0]]
     for earlier, sentence in pairwise(sentences):
         subject = earlier.clauses[-1].clause.subject
         if subject is not None and subject.entity:

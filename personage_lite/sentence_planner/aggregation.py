@@ -66,13 +66,11 @@ def conjunction(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | 
 def merge(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | None:
     """Join what shares subject and verb: "is kind, curious and brave", "has a cat and a dog"."""
     last, right = pair.last, pair.right
-    if last.clause.verb != right.clause.verb or last.link != "main":
-        return None
-    if not same_subject(last, right):
-        return None
-    if opposed(last, right) or _shell(last.clause) != _shell(right.clause):
-        return None
     one, other = last.clause, right.clause
+    if one.verb != other.verb or last.link != "main" or opposed(last, right):
+        return None
+    if not _same_shell(one, other):
+        return None
     if isinstance(other.complement, AdjectivePhrase) and _mergeable(one.complement):
         clause = one._replace(complement=_with_item(one.complement, other.complement))
     elif one.verb == "have" and other.object and one.object and not one.adverbials:
@@ -91,9 +89,9 @@ def merge(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | None:
     )
 
 
-def _shell(clause: Clause) -> Clause:
-    """Return a clause without what a merge joins: what is left must be equal on both sides."""
-    return clause._replace(complement=None, object=None)
+def _same_shell(one: Clause, other: Clause) -> bool:
+    """Whether two clauses are equal but for what a merge joins, the object and the complement."""
+    return one[:4] == other[:4] and one[6:] == other[6:]
 
 
 def _mergeable(phrase: Phrase | None) -> bool:

@@ -17,15 +17,15 @@ from personage_lite.realizer.specification import (
 )
 
 
-def assemble(plan: SentencePlan) -> Sentence:
-    """Return the realizer's specification of a sentence plan."""
+def assemble(plan: SentencePlan, clauses: tuple[ClausePlan, ...]) -> Sentence:
+    """Return the realizer's specification of a sentence plan with these clauses."""
     if plan.fragment is not None:
         return Sentence(
             plan.fragment, openers=plan.openers, vocative=plan.vocative, terminal=plan.terminal
         )
     bodies: list[tuple[ClausePlan, Clause]] = []
     fronted: tuple[Subordinate, ...] = ()
-    for part in plan.clauses:
+    for part in clauses:
         clause = part.clause
         if part.link == "fronted":
             fronted = (*fronted, Subordinate(part.cue, clause, fronted=True))
@@ -37,19 +37,22 @@ def assemble(plan: SentencePlan) -> Sentence:
         else:
             host, said = bodies[-1]
             bodies[-1] = (host, _attached(said, part))
-    first, rest = bodies[0], bodies[1:]
+    joined: tuple[Joined, ...] = ()
+    if len(bodies) > 1:
+        joined = tuple(
+            Joined(part.cue, _framed(part, clause), part.shared_subject)
+            for part, clause in bodies[1:]
+        )
     return Sentence(
-        body=_framed(*first),
-        joined=tuple(
-            Joined(part.cue, _framed(part, clause), part.shared_subject) for part, clause in rest
-        ),
-        openers=plan.openers,
-        connective=plan.connective,
-        vocative=plan.vocative,
-        afterthought=plan.afterthought,
-        tag=plan.tag,
-        terminal=plan.terminal,
-        false_start=plan.false_start,
+        _framed(*bodies[0]),
+        joined,
+        plan.openers,
+        plan.connective,
+        plan.vocative,
+        plan.afterthought,
+        plan.tag,
+        plan.terminal,
+        plan.false_start,
     )
 
 

@@ -15,6 +15,7 @@ from personage_lite.plan import ClausePlan, Link, SentencePlan
 MOST_CUED = 3
 MOST_UNCUED = 2
 _SHARED_SUBJECT = 0.5
+_OPPOSED = (("good", "bad"), ("bad", "good"))
 
 
 class Pair(NamedTuple):
@@ -47,7 +48,7 @@ def same_subject(one: ClausePlan, other: ClausePlan) -> bool:
 
 def opposed(one: ClausePlan, other: ClausePlan) -> bool:
     """Whether one clause is good news and the other bad."""
-    return {one.polarity, other.polarity} == {"good", "bad"}
+    return (one.polarity, other.polarity) in _OPPOSED
 
 
 def plain(plan: ClausePlan) -> bool:
@@ -63,7 +64,8 @@ def extend(sentence: SentencePlan, clause: ClausePlan, word: str = "") -> Joint:
 
 def replace_last(sentence: SentencePlan, clause: ClausePlan, word: str = "") -> Joint:
     """Return a sentence with another last clause."""
-    return extend(sentence._replace(clauses=sentence.clauses[:-1]), clause, word)
+    words = (*sentence.words, word) if word else sentence.words
+    return (sentence._replace(clauses=(*sentence.clauses[:-1], clause), words=words),)
 
 
 def coordinate(pair: Pair, cue: Marker, rng: OperatorDraws, most: int) -> Joint | None:

@@ -167,7 +167,7 @@ def exclamation(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> 
         return None
     if doubtful(plan):
         return None
-    return plan._replace(terminal="!")
+    return SentencePlan(*plan[:10], "!", *plan[11:])
 
 
 def in_group_marker(

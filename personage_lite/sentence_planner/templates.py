@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from personage_lite.facts import Character, Fact
 from personage_lite.lexicon import TOPIC, Lexicon, Template
 from personage_lite.operators import OperatorDraws, Turn
-from personage_lite.plan import ClausePlan, ContentPlan, Decision, Frame, Status
+from personage_lite.plan import ClausePlan, ContentPlan, Decision, Frame, Status, decided
 from personage_lite.realizer.specification import AdjectivePhrase, Cased, NounPhrase, Text
 from personage_lite.sentence_planner.hedges import EMPHASIZED, HEDGED
 
@@ -60,16 +60,15 @@ def lead_text(words: str, topic: NounPhrase) -> Text:
 
 
 def fits(template: Template, plan: ClausePlan) -> bool:
-    """Whether a template is grammatical and true of a clause."""
-    clause = plan.clause
-    if plan.role != "assertion" or template.polarity not in ("", plan.polarity):
-        return False
-    opinion = template.emphatic or (template.hedging and template.form == "clause")
-    if opinion and plan.polarity == "neutral":
+    """Whether a template of a clause's polarity is grammatical and true of it."""
+    clause, form = plan.clause, template.form
+    if plan.polarity == "neutral" and (
+        template.emphatic or (template.hedging and form == "clause")
+    ):
         return False  # nobody has a view on whether she is a little girl
-    if template.form == "exclamative":
+    if form == "exclamative":
         return plan.gradable and not clause.negated and plan.strength != "somewhat"
-    if template.form == "someone_who":
+    if form == "someone_who":
         # Someone who is kind; not "someone who is a little girl", "who falls down a well".
         return plan.gradable and not clause.negated
     # "I love that she loves …" says the same word twice.
@@ -97,7 +96,7 @@ def framed(plan: ClausePlan, template: Template, lexicon: Lexicon, topic: NounPh
         marks = (*marks, EMPHASIZED)
     if template.hedging:
         marks = (*marks, HEDGED)
-    return plan._replace(clause=clause, frame=frame, marks=marks)
+    return ClausePlan(clause, *plan[1:8], frame, *plan[9:11], marks)
 
 
 def select_templates(
@@ -124,6 +123,7 @@ def select_templates(
         clause = plain[message.fact.id]
         if message.role != "assertion":
             clause = clause._replace(role=message.role)
+        target = f"message {index + 1}"
         for name, probability, row in offers:
             draw = row[index]
             status: Status = "not_drawn"
@@ -136,8 +136,7 @@ def select_templates(
                     clause = framed(clause, template, turn.lexicon, character.entity.phrase)
                     used.extend((template.name, name))
                     status = "applied"
-            target = f"message {index + 1}"
-            decisions.append(Decision(name, STAGE, probability, draw, status, target))
+            decisions.append(decided(name, STAGE, probability, draw, status, target))
         framed_before = clause.frame is not None
         clauses.append(clause)
     return clauses, decisions, used
@@ -147,19 +146,22 @@ def _choose(
     parameter: str, clause: ClausePlan, used: list[str], turn: Turn, rng: OperatorDraws
 ) -> Template | None:
     """Choose among the templates that fit, by lean, freshness and connotation."""
+    if clause.role != "assertion":
+        return None
     able = [
         template
         for template in turn.lexicon.templates.get(parameter, ())
-        if template.name not in used and fits(template, clause)
+        # First what most templates fail.
+        if template.polarity in ("", clause.polarity)
+        and template.name not in used
+        and fits(template, clause)
     ]
     if not able:
         return None
     liking = turn.parameters["template_polarity"]
-    factors = {"": 1.0, "neutral": 1.0, "good": 2 * liking, "bad": 2 * (1 - liking)}
-    weights = [
-        weight * factors[template.connotation]
-        for weight, template in zip(
-            rng.weights([template.marker for template in able]), able, strict=True
-        )
-    ]
+    factors = {"good": 2 * liking, "bad": 2 * (1 - liking)}
+    weights = rng.weights([template.marker for template in able])
+    for index, template in enumerate(able):
+        if template.connotation in factors:
+            weights[index] *= factors[template.connotation]
     return rng.choose("template", able, weights)

@@ -105,7 +105,7 @@ def _passive_pronoun(pair: Pair, event: Event, text: str) -> str:
         text,
         pair,
         lambda its, mine: (
-            (its, mine) in (("it", "i"), ("i", "we"), ("is", "am"))
+            (its, mine) in (("it", "i"), ("i", "we"), ("is", "am"), ("am", "are"))
             or PLURAL.get(_positive(its)) == _positive(mine)
         ),
     )
