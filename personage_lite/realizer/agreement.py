@@ -21,17 +21,18 @@ Agreement: TypeAlias = tuple[int, bool]
 THIRD_SINGULAR: Agreement = (3, False)
 
 
-def agreement(phrase: Phrase | None, grammar: Grammar) -> Agreement:
+def agreement(phrase: Phrase | None, grammar: Grammar, inverted: bool = False) -> Agreement:
     """Return the person and number that a verb takes from its subject.
 
-    Of phrases joined by "or" or "nor" the nearest counts, else they are plural, and the first
-    person goes before the second, the second before the third.
+    Of phrases joined by "or" or "nor" the nearest counts, which is the first if the verb comes
+    before them; else they are plural, and the first person goes before the second, the second
+    before the third.
     """
     if isinstance(phrase, NounPhrase):
         return phrase.person, is_plural(phrase, grammar)
     if isinstance(phrase, Coordination):
         if phrase.conjunction in grammar.disjunctive or len(phrase.items) == 1:
-            return agreement(phrase.items[-1], grammar)
+            return agreement(phrase.items[0 if inverted else -1], grammar, inverted)
         if not any(_many(item, grammar) for item in phrase.items):
             return THIRD_SINGULAR  # "To see and to know is …", "every card and every king is …"
         return min(agreement(item, grammar)[0] for item in phrase.items), True

@@ -177,7 +177,7 @@ def _subject_and_predicate(
     elif clause.mood == "subjunctive" and clause.tense == "past":
         agrees = (3, True)  # "if I were you"
     else:
-        agrees = THIRD_SINGULAR if subject is None else agreement(subject, grammar)
+        agrees = THIRD_SINGULAR if subject is None else agreement(subject, grammar, inverted)
     if inverted and said is not None and not left_out:
         predicate(syntax, out, clause, agrees, before=said, stranded=stranded, gap=gap)
         return

@@ -106,9 +106,10 @@ def _inverted_finite(
             finite, negated = short, False
     elif (
         clause.contracted
-        and out
         and finite in grammar.contracted_after
-        and out[-1].lower() in grammar.contracting
+        and clause.question is not None
+        and isinstance(clause.question.phrase, str)
+        and clause.question.phrase in grammar.contracting
     ):
         out[-1] += grammar.contractions[finite]
         finite = ""

@@ -221,7 +221,7 @@ def _nearest_asked(pair: Pair, event: Event, text: str) -> str:
         return text
     plural = r"^(|With |To |How )(|\S+ )(are|were|have|do)(?=n't| )"
     found = re.match(plural, text, flags=re.I)
-    if found is None or "cats or the dog " not in text:
+    if found is None or "cat or the dogs" not in text:
         return text
     single = SINGULAR[found[3].lower()]
     start = found[1] + found[2]
@@ -268,7 +268,6 @@ _EVENTS: dict[str, EventRule] = {
     "not after the subject": _not_behind,
     "not in full": _in_full,
     "question word": _question_word("Who|What|Where|When|How"),
-    "preposition and question word": _question_word("With what|To whom"),
     "let us": _let_us,
     "often at the end": _adverb("often"),
     "never at the end": _adverb("never"),

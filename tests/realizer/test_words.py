@@ -460,6 +460,8 @@ def test_no_entry_is_idle(table: str) -> None:
     forms = SERVES[table]
     idle = []
     for word in getattr(BRITISH, table):
+        if table == "countability" and BRITISH.countability[word] != "countable":
+            continue  # it serves the plural too
         if all(
             forms(word, each) == forms(word, _without(word, table, each))
             for each in INFLECTIONS.values()
