@@ -6,7 +6,7 @@ import re
 from typing import cast
 
 from personage_lite.errors import nearest
-from personage_lite.facts import POLARITIES, STRENGTHS, Entity, Fact, Polarity, Strength
+from personage_lite.facts import POLARITIES, STRENGTHS, Entity, Fact, Polarity, Strength, entity_of
 from personage_lite.realizer.specification import (
     AdjectivePhrase,
     Case,
@@ -107,9 +107,11 @@ class FactReader:
         if predicate is None and not described:
             raise item.fault("'predicate' is missing", "add the verb, 'predicate: …'")
         adverbials = item.get("adverbials")
+        verb = _words(item, "predicate") or "be"
+        subject = self._subject(item)
         clause = Clause(
-            verb=_words(item, "predicate") or "be",
-            subject=self._subject(item),
+            verb=verb,
+            subject=subject,
             particle=_words(item, "particle"),
             indirect_object=self._optional_text(item, "indirect_object"),
             object=self._optional_text(item, "object"),
@@ -132,11 +134,9 @@ class FactReader:
         if item.get("negator") is not None and not clause.negated:
             raise item.fault("a negator, but nothing negated", "add 'negated: true'")
         chapter = item.get("chapter")
-        subject = clause.subject
-        assert subject is not None
         fact = Fact(
             id=key,
-            about=(subject.possessor or subject).entity,
+            about=entity_of(subject.possessor) or subject.entity,
             clause=clause,
             polarity=cast(Polarity, item.choice_of("polarity", POLARITIES, "neutral")),
             strength=cast(Strength, item.choice_of("strength", STRENGTHS, "plainly")),

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Literal, NamedTuple, TypeAlias
 
-from personage_lite.realizer.specification import Clause, Gender, NounPhrase, Number
+from personage_lite.realizer.specification import Clause, Gender, NounPhrase, Number, Phrase
 
 Polarity: TypeAlias = Literal["good", "neutral", "bad"]
 Strength: TypeAlias = Literal["somewhat", "plainly", "extremely"]
@@ -79,6 +79,15 @@ def entity(
         pronoun=full._replace(pronoun=True),
         descriptions=tuple(phrase(f"the {noun}") for noun in nouns),
     )
+
+
+def entity_of(phrase: Phrase | None) -> str:
+    """Return the entity that a phrase denotes; empty for what is no noun phrase.
+
+    >>> entity_of(NounPhrase("Alice", entity="alice")), entity_of("nobody at all")
+    ('alice', '')
+    """
+    return phrase.entity if isinstance(phrase, NounPhrase) else ""
 
 
 class Fact(NamedTuple):

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from personage_lite.facts import Character, Fact
+from personage_lite.facts import Character, Fact, entity_of
 from personage_lite.lexicon import Lexicon
 from personage_lite.plan import Utterance
 from personage_lite.realizer.specification import (
@@ -22,6 +22,7 @@ from personage_lite.realizer.specification import (
     Embedded,
     NounPhrase,
     Phrase,
+    Relative,
     Sentence,
     Text,
 )
@@ -74,10 +75,11 @@ class _Checker:
         before: set[str] = set()
         owner = ""
         for sentence in sentences:
-            if isinstance(sentence.body, Text):
+            main = sentence.body
+            if not isinstance(main, Clause | Embedded):
                 continue
             groups: list[tuple[str, set[str]]] = []
-            bodies = [("", sentence.body, False)]
+            bodies = [("", main, False)]
             bodies += [
                 (join.conjunction, join.body, join.shared_subject) for join in sentence.joined
             ]
@@ -88,7 +90,7 @@ class _Checker:
                     clause = clause._replace(subject=self._subject_before)
                 facts = self._clause(clause, owner)
                 self._subject_before = clause.subject
-                owner = _entity(clause.subject) or owner
+                owner = entity_of(clause.subject) or owner
                 if groups:
                     self._relation(cue, groups[-1][1], facts, coordinate=True)
                 groups.append((cue, facts))
@@ -98,7 +100,7 @@ class _Checker:
             stated.update(*(facts for _, facts in groups))
         return stated
 
-    _subject_before: NounPhrase | None = None
+    _subject_before: Phrase | None = None
 
     def _clause(self, clause: Clause, owner: str) -> set[str]:
         """Return the facts that a clause and the clauses inside it state."""
@@ -111,7 +113,7 @@ class _Checker:
             main |= found & self._planned or found
         inner: set[str] = set()
         for subordinate in clause.subordinates:
-            facts = self._clause(subordinate.clause, _entity(clause.subject) or owner)
+            facts = self._clause(subordinate.clause, entity_of(clause.subject) or owner)
             self._relation(subordinate.conjunction, main, facts, coordinate=False)
             inner |= facts
         return main | inner
@@ -119,23 +121,22 @@ class _Checker:
     def _propositions(self, clause: Clause, owner: str) -> Iterator[_Heard]:
         subject = clause.subject
         bare = clause._replace(subordinates=(), asides=())
-        if subject is not None and subject.relative is not None:
+        if isinstance(subject, NounPhrase) and subject.relative is not None:
             about = subject._replace(relative=None)
-            yield from self._propositions(subject.relative.clause._replace(subject=about), owner)
+            yield from self._relative(subject.relative, about, owner)
             bare = bare._replace(subject=about)
         for aside in clause.asides:
-            yield _Heard(self._aside(aside, bare), _entity(subject))
+            yield _Heard(self._aside(aside, bare), entity_of(subject))
         for phrase in (clause.object, clause.complement, *clause.adverbials):
             if isinstance(phrase, Text):
                 for part in phrase.parts:
                     if isinstance(part, Cased) and part.phrase.relative is not None:
                         about = part.phrase._replace(relative=None)
-                        inner = part.phrase.relative.clause._replace(subject=about)
-                        yield from self._propositions(inner, owner)
+                        yield from self._relative(part.phrase.relative, about, owner)
         said = clause.complement
         described = said.relative if isinstance(said, NounPhrase) else None
         if described is not None and described.restrictive:
-            yield from self._propositions(described.clause._replace(subject=bare.subject), owner)
+            yield from self._relative(described, bare.subject, owner)
         elif isinstance(said, Coordination):
             for item in said.items:
                 yield _Heard(bare._replace(complement=item), owner)
@@ -144,6 +145,13 @@ class _Checker:
                 yield _Heard(bare._replace(object=item), owner)
         else:
             yield _Heard(bare, owner)
+
+    def _relative(self, said: Relative, about: Phrase | None, owner: str) -> Iterator[_Heard]:
+        """Return what a relative clause, or several joined, says of the one it describes."""
+        items = said.clause.items if isinstance(said.clause, Coordination) else (said.clause,)
+        for item in items:
+            if isinstance(item, Clause):
+                yield from self._propositions(item._replace(subject=about), owner)
 
     def _aside(self, aside: Phrase, host: Clause) -> Clause:
         """Return what "with …" says of its host's subject."""
@@ -178,16 +186,16 @@ class _Checker:
             for one, other in zip(clause.adverbials, meant.adverbials, strict=True)
         )
 
-    def _same_subject(self, one: NounPhrase | None, other: NounPhrase | None, owner: str) -> bool:
-        if one is None or other is None:
-            return one is other
+    def _same_subject(self, one: Phrase | None, other: Phrase | None, owner: str) -> bool:
+        if not isinstance(one, NounPhrase) or not isinstance(other, NounPhrase):
+            return one == other
         if other.possessor is None:
             return one.entity == other.entity
-        possessor = one.possessor.entity if one.possessor is not None else owner
+        possessor = owner if one.possessor is None else entity_of(one.possessor)
         return (
             one.noun == other.noun
             and one.number == other.number
-            and possessor == other.possessor.entity
+            and possessor == entity_of(other.possessor)
         )
 
     def _same_verb(self, clause: Clause, meant: Clause) -> bool:
@@ -219,9 +227,9 @@ class _Checker:
             return one is None and other is None
         said = one.parts[1:] if one.parts[0] in self._hedges else one.parts
         return len(said) == len(other.parts) and all(
-            left == right
-            if isinstance(left, str) or isinstance(right, str)
-            else (left.phrase.entity, left.case) == (right.phrase.entity, right.case)
+            (left.phrase.entity, left.case) == (right.phrase.entity, right.case)
+            if isinstance(left, Cased) and isinstance(right, Cased)
+            else left == right
             for left, right in zip(said, other.parts, strict=True)
         )
 
@@ -252,7 +260,3 @@ class _Checker:
             ):
                 return True
         return False
-
-
-def _entity(phrase: NounPhrase | None) -> str:
-    return "" if phrase is None else phrase.entity

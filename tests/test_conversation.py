@@ -235,13 +235,13 @@ class Listener:
         bodies = [(sentence.body, False)]
         bodies += [(joined.body, joined.shared_subject) for joined in sentence.joined]
         for body, shared in bodies:
-            if isinstance(body, Text):
-                self._phrase(body, "", self.about)
-            elif isinstance(body, Embedded):
+            if isinstance(body, Embedded):
                 self._phrase(body.lead, "", self.about)
                 subject = self._clause(body.clause)
-            else:
+            elif isinstance(body, Clause):
                 subject = self._clause(body, shared=subject if shared else "")
+            else:
+                self._phrase(body, "", self.about)
 
     def _clause(self, clause: Clause, shared: str = "") -> str:
         """Read a clause; returns whom it is about."""
@@ -249,18 +249,17 @@ class Listener:
             if below.fronted:
                 self._clause(below.clause)
         before, subject, owner = self.about, clause.subject, shared
-        if clause.degree and clause.complement is not None:
+        if clause.mood == "exclamative" and clause.complement is not None:
             self._phrase(clause.complement, owner, before)
-        if subject is not None and not shared:
-            if subject.possessor is not None:
+        if isinstance(subject, NounPhrase) and not shared:
+            if isinstance(subject.possessor, NounPhrase):
                 owner = subject.possessor.entity
                 self._mention(subject.possessor, "possessive", False, "", before)
             else:
                 owner = subject.entity
                 self._mention(subject, "subjective", True, "", before)
             self.about = owner or before
-            if subject.relative is not None:
-                self._predicate(subject.relative, owner, before)
+            self._relative(subject, owner, before)
         self._predicate(clause, owner, before)
         self.about = owner or before
         for below in clause.subordinates:
@@ -269,28 +268,30 @@ class Listener:
         return owner
 
     def _predicate(self, clause: Clause, owner: str, before: str) -> None:
-        complement = None if clause.degree else clause.complement
+        complement = None if clause.mood == "exclamative" else clause.complement
         phrases = [clause.indirect_object, clause.object, complement]
         for phrase in (*phrases, *clause.adverbials, *clause.asides):
             if phrase is not None:
                 self._phrase(phrase, owner, before)
+
+    def _relative(self, phrase: NounPhrase, owner: str, before: str) -> None:
+        if phrase.relative is not None and isinstance(phrase.relative.clause, Clause):
+            self._predicate(phrase.relative.clause, owner, before)
 
     def _phrase(self, phrase: Phrase, owner: str, before: str) -> None:
         if isinstance(phrase, Coordination):
             for item in phrase.items:
                 self._phrase(item, owner, before)
         elif isinstance(phrase, NounPhrase):
-            if phrase.relative is not None:
-                self._predicate(phrase.relative, owner, before)
+            self._relative(phrase, owner, before)
         elif isinstance(phrase, Text):
             for part in phrase.parts:
                 if isinstance(part, Cased):
                     subject = part.case == "subjective"
                     self._mention(part.phrase, part.case, subject, owner, before)
                     if part.phrase.relative is not None:
-                        entity = part.phrase.entity
-                        self._predicate(part.phrase.relative, entity, owner)
-                        self.about = entity
+                        self._relative(part.phrase, part.phrase.entity, owner)
+                        self.about = part.phrase.entity
 
     def _mention(
         self, phrase: NounPhrase, case: str, is_subject: bool, owner: str, before: str

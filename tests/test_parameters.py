@@ -233,7 +233,7 @@ def pronoun_subjects(said: Utterance) -> list[float]:
     found = []
     for sentence in said.sentences[1:]:
         for clause in (node for node in parts(sentence) if isinstance(node, Clause)):
-            if clause.subject is not None and clause.subject.entity:
+            if isinstance(clause.subject, NounPhrase) and clause.subject.entity:
                 found.append(float(clause.subject.pronoun))
     return found
 
@@ -345,7 +345,7 @@ def merged(said: Utterance) -> list[float]:
 def relatives(said: Utterance) -> list[float]:
     """Count "…, who is seven, …"."""
     heard = [node for node in nodes(said) if isinstance(node, NounPhrase)]
-    return [float(sum(n.relative is not None and not n.restrictive for n in heard))]
+    return [float(sum(n.relative is not None and not n.relative.restrictive for n in heard))]
 
 
 def also(said: Utterance) -> list[float]:
@@ -360,7 +360,7 @@ def stutters(said: Utterance) -> list[float]:
 
 def implicit_subjects(said: Utterance) -> list[float]:
     """Count "the hair is …" by the side of "Alice's hair is …"."""
-    heard = [clause.subject for clause in clauses(said) if clause.subject is not None]
+    heard = [c.subject for c in clauses(said) if isinstance(c.subject, NounPhrase)]
     return [float(not noun.possessor) for noun in heard if not noun.entity]
 
 

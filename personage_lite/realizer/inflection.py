@@ -3,7 +3,8 @@
 The file serves two dialects: `burnt/burned` is British before the slash and American after it.
 """
 
-from __future__ import annotations
+# No `from __future__ import annotations` here: typing compiles each annotation of a named tuple
+# that is a string, which took a tenth of the time to the first utterance.
 
 from collections.abc import Iterator
 from typing import Literal, NamedTuple, TypeAlias

@@ -11,7 +11,8 @@
 'Friday, 4 July 1862'
 """
 
-from __future__ import annotations
+# No `from __future__ import annotations` here: typing compiles each annotation of a named tuple
+# that is a string, which took a tenth of the time to the first utterance.
 
 from math import isfinite
 from typing import Literal, NamedTuple

@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from personage_lite.facts import Character
+from personage_lite.facts import Character, entity_of
 from personage_lite.operators import Operator, Turn, run_operators
 from personage_lite.plan import (
     ClausePlan,
@@ -172,9 +172,9 @@ def with_openings(
     """Note what each sentence follows, and open with what the content plan asks for."""
     placed = [sentences[0]]
     for earlier, sentence in pairwise(sentences):
-        subject = earlier.clauses[-1].clause.subject
-        if subject is not None and subject.entity:
-            sentence = sentence._replace(subject_before=subject.entity)
+        subject = entity_of(earlier.clauses[-1].clause.subject)
+        if subject:
+            sentence = sentence._replace(subject_before=subject)
         placed.append(sentence)
     if plan.mitigation:
         rng = turn.rng("competence_mitigation/place")

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from personage_lite.facts import entity_of
 from personage_lite.lexicon import Lexicon
 from personage_lite.operators import OperatorDraws
 from personage_lite.plan import ClausePlan, SentencePlan
@@ -16,6 +17,7 @@ from personage_lite.realizer.specification import (
     Cased,
     Clause,
     Coordination,
+    NounPhrase,
     Phrase,
     Text,
 )
@@ -114,10 +116,10 @@ def relative_clause(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Join
     left, last, right = pair.left, pair.last, pair.right
     if len(left.clauses) > 1:
         return None
-    subject = right.clause.subject
-    if subject is None or not subject.entity:
+    subject = entity_of(right.clause.subject)
+    if not subject:
         return None
-    if _last_mention(last.clause) == subject.entity and not same_subject(last, right):
+    if _last_mention(last.clause) == subject and not same_subject(last, right):
         return extend(left, right._replace(link="object_relative"))
     if not same_subject(last, right) or pair.link.fixed_order or opposed(last, right):
         return None
@@ -161,7 +163,7 @@ def with_cue_word(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint 
     return replace_last(left, last._replace(clause=clause, facts=facts), cue.text)
 
 
-def _owned(last: ClausePlan, right: ClausePlan) -> tuple[str | Cased, ...] | None:
+def _owned(last: ClausePlan, right: ClausePlan) -> tuple[Cased | Phrase, ...] | None:
     """Return what the right clause says that the left one's subject has."""
     clause = right.clause
     if clause.verb == "have" and same_subject(last, right) and not clause.adverbs:
@@ -169,7 +171,9 @@ def _owned(last: ClausePlan, right: ClausePlan) -> tuple[str | Cased, ...] | Non
             return clause.object.parts
         return None
     part, quality = clause.subject, clause.complement
-    if part is None or part.possessor is None or clause.verb != "be" or clause.tense != "present":
+    if not isinstance(part, NounPhrase) or part.possessor is None:
+        return None
+    if clause.verb != "be" or clause.tense != "present":
         return None
     own = part.possessor == last.clause.subject and part.number == "plural"
     if own and isinstance(quality, AdjectivePhrase):

@@ -61,7 +61,7 @@ def _attached(host: Clause, part: ClausePlan) -> Clause:
     if part.link == "subordinate":
         return host._replace(subordinates=(*host.subordinates, Subordinate(part.cue, part.clause)))
     inner = part.clause._replace(subject=None)
-    if part.link == "relative" and host.subject is not None:
+    if part.link == "relative" and isinstance(host.subject, NounPhrase):
         return host._replace(subject=host.subject._replace(relative=Relative(inner)))
     for name in ("adverbials", "complement", "object"):
         said = getattr(host, name)
@@ -89,12 +89,11 @@ def _framed(part: ClausePlan, clause: Clause) -> Clause | Embedded:
     if frame is None or frame.lead is None:
         return clause
     if frame.form == "someone_who":
-        assert clause.subject is not None
         word = frame.lead.parts[0]
         assert isinstance(word, str)
         someone = NounPhrase(
             word,
-            animate=clause.subject.animate,
+            animate=isinstance(clause.subject, NounPhrase) and clause.subject.animate,
             relative=Relative(
                 clause._replace(subject=None, subordinates=(), contracted=False), restrictive=True
             ),

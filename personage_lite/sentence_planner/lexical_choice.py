@@ -148,10 +148,10 @@ class LexicalChoice:
         """Choose the adjectives inside "with pink eyes"."""
         if not isinstance(phrase, Text):
             return phrase
-        parts: list[str | Cased] = []
+        parts: list[Cased | Phrase] = []
         for part in phrase.parts:
             if isinstance(part, Cased) and part.phrase.adjectives:
-                chosen = tuple(self.adjective(item) for item in part.phrase.adjectives)
+                chosen = tuple(self.phrase(item, False) for item in part.phrase.adjectives)
                 noun: NounPhrase = part.phrase._replace(adjectives=chosen)
                 parts.append(Cased(noun, part.case))
             else:

@@ -7,7 +7,7 @@ Joshi & Weinstein 1995; Reiter & Dale 2000, section 5.4).
 
 from __future__ import annotations
 
-from personage_lite.facts import Character, Entity
+from personage_lite.facts import Character, Entity, entity_of
 from personage_lite.operators import Turn
 from personage_lite.plan import ClausePlan, Decision, decided
 from personage_lite.realizer.specification import Cased, Clause, NounPhrase, Phrase, Text
@@ -188,7 +188,7 @@ class ReferringExpressions:
                     frame = frame._replace(lead=lead)
             clause = plan.clause
             subject = clause.subject
-            if subject is not None and plan.link != "object_relative":
+            if isinstance(subject, NounPhrase) and plan.link != "object_relative":
                 subject = self._mention(subject, named=inner is not None)
             inside = None
             if inner is not None:
@@ -202,7 +202,7 @@ class ReferringExpressions:
 
     def _mention(self, subject: NounPhrase, named: bool) -> NounPhrase:
         """Resolve a clause's subject; `named` asks for a name, to hang a relative clause on."""
-        if subject.possessor is not None:
+        if isinstance(subject.possessor, NounPhrase):
             owner = self.form(subject.possessor, subjective=False, possessive=True)
             return subject._replace(possessor=owner)
         if not subject.entity:
@@ -214,11 +214,11 @@ class ReferringExpressions:
         self._said.add(subject.entity)
         return name
 
-    def _resolved(self, clause: Clause, subject: NounPhrase | None) -> Clause:
+    def _resolved(self, clause: Clause, subject: Phrase | None) -> Clause:
         """Return a clause with its resolved subject, after resolving what follows that."""
         owner = ""
-        if subject is not None:
-            owner = subject.entity or (subject.possessor.entity if subject.possessor else "")
+        if isinstance(subject, NounPhrase):
+            owner = subject.entity or entity_of(subject.possessor)
         self._clause_subject = owner
         indirect, direct, complement = clause.indirect_object, clause.object, clause.complement
         if isinstance(indirect, Text):
@@ -249,7 +249,7 @@ class ReferringExpressions:
         return self._text(phrase) if isinstance(phrase, Text) else phrase
 
     def _text(self, text: Text) -> Text:
-        parts: list[str | Cased] = []
+        parts: list[Cased | Phrase] = []
         changed = False
         for part in text.parts:
             if isinstance(part, Cased) and part.phrase.entity and part.case != "reflexive":

@@ -5,10 +5,11 @@ Source: Mairesse & Walker 2011, section 4.4 (negation insertion, subject implici
 
 from __future__ import annotations
 
+from personage_lite.facts import entity_of
 from personage_lite.lexicon import Lexicon
 from personage_lite.operators import OperatorDraws
 from personage_lite.plan import SentencePlan
-from personage_lite.realizer.specification import AdjectivePhrase
+from personage_lite.realizer.specification import AdjectivePhrase, NounPhrase
 from personage_lite.sentence_planner.hedges import replaced
 
 # The adjective is a word already, not a concept.
@@ -21,9 +22,11 @@ def negation(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> Sen
         return None
     for index, clause in enumerate(plan.clauses):
         said = clause.clause.complement
-        if clause.clause.negated or clause.clause.mood == "exclamative" or clause.role != "assertion":
+        if clause.clause.negated or clause.clause.mood == "exclamative":
             continue
         if not isinstance(said, AdjectivePhrase) or said.adverbs or clause.marks:
+            continue
+        if clause.role != "assertion":
             continue
         if clause.frame is not None:
             continue  # not "I love how she isn't dull"
@@ -45,10 +48,10 @@ def subject_implicitness(
     before = plan.subject_before
     for index, clause in enumerate(plan.clauses):
         subject = clause.clause.subject
-        if subject is None:
+        if not isinstance(subject, NounPhrase):
             continue
         owner = subject.possessor
-        if owner is not None and owner.entity == before and clause.frame is None:
+        if owner is not None and entity_of(owner) == before and clause.frame is None:
             implicit = subject._replace(possessor=None, determiner="the")
             changed = clause._replace(clause=clause.clause._replace(subject=implicit))
             return replaced(plan, index, changed, "subject_implicitness")

@@ -8,7 +8,7 @@ from __future__ import annotations
 from personage_lite.lexicon import Lexicon
 from personage_lite.operators import OperatorDraws
 from personage_lite.plan import Frame, SentencePlan
-from personage_lite.realizer.specification import Cased, Text
+from personage_lite.realizer.specification import Cased, NounPhrase, Text
 from personage_lite.sentence_planner.hedges import (
     EMPHASIZED,
     HEDGED,
@@ -190,13 +190,14 @@ def stuttering(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> S
         return None
     first = plan.clauses[0]
     subject = first.clause.subject
-    if subject is None or any(opener.mark for opener in plan.openers):
+    if not isinstance(subject, NounPhrase) or any(opener.mark for opener in plan.openers):
         return None
     if first.frame is not None and _mentions(first.frame.lead):
         return None  # the name has been said before
     times = 2 if rng.uniform("twice") < _TWICE else 1
-    if subject.possessor is not None:
-        stuttered = subject._replace(possessor=subject.possessor._replace(stutter=times))
+    owner = subject.possessor
+    if isinstance(owner, NounPhrase):
+        stuttered = subject._replace(possessor=owner._replace(stutter=times))
     else:
         stuttered = subject._replace(stutter=times)
     clause = first._replace(clause=first.clause._replace(subject=stuttered))

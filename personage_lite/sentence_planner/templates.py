@@ -81,7 +81,7 @@ def framed(plan: ClausePlan, template: Template, lexicon: Lexicon, topic: NounPh
     """Return a clause in a template's frame."""
     if template.form == "someone_who":
         subject = plan.clause.subject
-        animate = subject is not None and subject.animate
+        animate = isinstance(subject, NounPhrase) and subject.animate
         who = lexicon.someone["animate" if animate else "inanimate"]
         lead: Text | None = Text((who,))
     else:

@@ -42,7 +42,8 @@ WORDS = (
 VERBS = ("be", "have", "do", "run", "cry", "panic", "stand", "go", "echo", "travel")
 MODALS = ("", "", "can", "may", "should", "ought to", "have to", "be going to")
 SPEECHES = (
-    *("Off with her head!", "I am late.", "Run", "Who are you?", "Well…", "Oh,", "No...", "At 4 a.m."),
+    *("Off with her head!", "I am late.", "Run", "Who are you?", "Well…", "Oh,", "No..."),
+    "At 4 a.m.",
 )
 ROLES: tuple[Role, ...] = ("subject", "object", "indirect_object", "complement", "adverbial")
 CONJUNCTIONS = ("and", "or", "nor", "but also", ",")
@@ -220,7 +221,7 @@ class RandomSpecs:
         """Return an infinitive or a participle."""
         forms = ("infinitive", "bare_infinitive", "present_participle", "past_participle")
         return self.clause(depth)._replace(
-            form=self.rng.choice(forms), question=None, mood="declarative", ellipsis=()
+            form=self.one(*forms), question=None, mood="declarative", ellipsis=()
         )
 
     def sentence(self) -> Sentence:
