@@ -93,9 +93,7 @@ def takes_pair(phrase: NounPhrase, grammar: Grammar) -> bool:
     return forms is not None and (forms.number == "singular" or forms.singly)
 
 
-def determiner_form(
-    phrase: NounPhrase, plural: bool, kind: Countability, grammar: Grammar
-) -> str:
+def determiner_form(phrase: NounPhrase, plural: bool, kind: Countability, grammar: Grammar) -> str:
     """Return the determiner as it agrees: "these cats", "much furniture"."""
     forms = grammar.determiners.get(phrase.determiner)
     if forms is None:

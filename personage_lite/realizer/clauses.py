@@ -115,9 +115,7 @@ def relative_clause(
         # "The girl that she is": nothing is shortened before what has left.
         pronoun = not gap and _is_pronoun(subject) and len(out) == start + 1
         agrees = agreement(subject, syntax.grammar)
-        predicate(
-            syntax, out, clause, agrees, after_pronoun=pronoun, stranded=stranded, gap=gap
-        )
+        predicate(syntax, out, clause, agrees, after_pronoun=pronoun, stranded=stranded, gap=gap)
     # Nothing can stand before the pronoun, so all subordinate clauses follow.
     for subordinate in clause.subordinates:
         add_subordinate(syntax, out, clause, subordinate)

@@ -46,7 +46,9 @@ def _fault(value: Any, hint: Any, path: Path) -> MisreadError | None:
             if value in choices(option):
                 return None
             if len(able) == 1:
-                return MisreadError(path, *_parts(wrong_value("it", "value", value, choices(option))))
+                return MisreadError(
+                    path, *_parts(wrong_value("it", "value", value, choices(option)))
+                )
         elif item_type(option) is not None and isinstance(value, tuple) and kind not in FIELDS:
             for index, item in enumerate(value):
                 fault = _fault(item, item_type(option), (*path, index))

@@ -30,7 +30,15 @@ RELATIVE_ROLES = (
 _SETS = (
     *("negated_as_a_whole", "prospective", "auxiliary_semi_modals", "never_backshifted"),
     *("contracting", "contracted_after", "negators", "negative_determiners", "inverting"),
-    *("inverting_with_ellipsis", "approximators", "plural_in_tags", "repeated_in_tags", "disjunctive", "indefinite_pronouns", "abbreviations"),
+    *(
+        "inverting_with_ellipsis",
+        "approximators",
+        "plural_in_tags",
+        "repeated_in_tags",
+        "disjunctive",
+        "indefinite_pronouns",
+        "abbreviations",
+    ),
 )
 DETERMINER_FIELDS = ("number", "plural", "uncountable")
 

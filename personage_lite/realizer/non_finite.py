@@ -14,9 +14,7 @@ if TYPE_CHECKING:
     from personage_lite.realizer.syntax import Syntax
 
 
-def non_finite_clause(
-    syntax: Syntax, out: list[str], clause: Clause, stranded: str = ""
-) -> None:
+def non_finite_clause(syntax: Syntax, out: list[str], clause: Clause, stranded: str = "") -> None:
     """Add an infinitive or a participle with all that belongs to it: "not to be eaten"."""
     words = syntax.grammar.words
     if clause.mood == "interrogative":
@@ -69,9 +67,7 @@ def imperative(syntax: Syntax, out: list[str], clause: Clause) -> None:
     bare(syntax, out, clause, clause.negated and not negated)
 
 
-def bare(
-    syntax: Syntax, out: list[str], clause: Clause, negated: bool, stranded: str = ""
-) -> None:
+def bare(syntax: Syntax, out: list[str], clause: Clause, negated: bool, stranded: str = "") -> None:
     """Add adverbs, verbs without a finite one, and arguments."""
     if negated:
         out.append(clause.negator)

@@ -129,9 +129,7 @@ def _noun(phrase: NounPhrase, plural: bool, kind: Countability, grammar: Grammar
 # Adjectives
 
 
-def _in_order(
-    syntax: Syntax, out: list[str], adjectives: tuple[Phrase, ...]
-) -> tuple[Phrase, ...]:
+def _in_order(syntax: Syntax, out: list[str], adjectives: tuple[Phrase, ...]) -> tuple[Phrase, ...]:
     """Add the adjectives that come before a number ("the next two"); return the rest in order."""
     order = syntax.grammar.adjective_order
     # Sorting keeps the order of those of one rank.
@@ -142,9 +140,7 @@ def _in_order(
     return tuple(ranked[len(limiting) :])
 
 
-def _adjectives(
-    syntax: Syntax, out: list[str], adjectives: tuple[Phrase, ...]
-) -> list[Phrase]:
+def _adjectives(syntax: Syntax, out: list[str], adjectives: tuple[Phrase, ...]) -> list[Phrase]:
     """Add adjectives; return what has to follow the noun.
 
     That is the whole phrase if it governs something ("a girl proud of her cat") or compares by
@@ -242,7 +238,7 @@ def _relative(syntax: Syntax, out: list[str], phrase: NounPhrase, relative: Rela
         out.append(relative.preposition)
     if relative.possessed:
         out.append(relative.word or grammar.relative_possessive)
-    elif not omitted and (finite or relative.preposition and not relative.stranded):
+    elif not omitted and (finite or (relative.preposition and not relative.stranded)):
         out.append(relative.word or _relative_pronoun(phrase, relative, grammar))
     said = relative.clause
     clauses = said.items if isinstance(said, Coordination) else (said,)

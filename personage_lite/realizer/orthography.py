@@ -63,7 +63,9 @@ def abbreviated(words: str, grammar: Grammar) -> bool:
     word = words.rstrip("”’").rsplit(" ", 1)[-1]
     if word[-1:] != "." or ".." in word:
         return False
-    return "." in word[:-1] or word in grammar.abbreviations or word.lower() in grammar.abbreviations
+    return (
+        "." in word[:-1] or word in grammar.abbreviations or word.lower() in grammar.abbreviations
+    )
 
 
 def _only_marks(token: str) -> bool:

@@ -26,9 +26,7 @@ def following(syntax: Syntax, out: list[str], clause: Clause) -> None:
             add_subordinate(syntax, out, clause, subordinate)
 
 
-def add_subordinate(
-    syntax: Syntax, out: list[str], host: Clause, subordinate: Subordinate
-) -> None:
+def add_subordinate(syntax: Syntax, out: list[str], host: Clause, subordinate: Subordinate) -> None:
     """Add an adverbial clause that follows its host; a comma parts it from speech."""
     quotation = host.quotation
     if quotation and not (isinstance(quotation, Quotation) and quotation.first):

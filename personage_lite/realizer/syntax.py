@@ -43,9 +43,7 @@ class Syntax:
     def __init__(self, grammar: Grammar) -> None:
         self.grammar = grammar
 
-    def phrase(
-        self, out: list[str], phrase: Phrase | Embedded, case: Case = "objective"
-    ) -> None:
+    def phrase(self, out: list[str], phrase: Phrase | Embedded, case: Case = "objective") -> None:
         """Add the words of any phrase."""
         if phrase.__class__ is str:
             out.append(phrase)

@@ -38,7 +38,5 @@ def _read_file(path: Path) -> list[Case]:
             options = tuple((key, row[key]) for key in OPTIONS if key in row)
             unknown = set(row) - {"name", "text", "spec", *OPTIONS}
             assert not unknown, f"{place}: {unknown}"
-            found.append(
-                Case(*place, read_specification(row["spec"], place), row["text"], options)
-            )
+            found.append(Case(*place, read_specification(row["spec"], place), row["text"], options))
     return found

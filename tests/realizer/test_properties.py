@@ -34,7 +34,9 @@ def check(text: str) -> None:
     assert not first.isalpha() or first.isupper(), text
     assert text.rstrip("”’")[-1] in ".!?…", text
     # A question about what was shouted keeps both marks: “Off with her head!”?
-    assert not DOUBLED.search(ABBREVIATED.sub("etc", text.replace("...", "…").replace("!”?", "”?"))), text
+    assert not DOUBLED.search(
+        ABBREVIATED.sub("etc", text.replace("...", "…").replace("!”?", "”?"))
+    ), text
     assert not SPACED.search(text), text
     assert "\x00" not in text
 
