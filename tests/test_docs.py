@@ -1,11 +1,13 @@
 """The documentation is run: its files are written, its commands run, their output compared.
 
 For each page, in the order of its blocks: a ```yaml block that begins with `# file: PATH` is
-written to PATH; in a ```console block each `$ personage-lite …` line is run and must print the
-lines below it and exit with 0, or with N where the line ends in `# exits N`. Lines of other
-programs are skipped. A ```python block must run. In what is shown, a line `…` stands for any
-lines left out, and ` …` at a line's end for the rest of that line. With `--update` the outputs are
-rewritten.
+written to PATH (without that line if PATH ends in .json); in a ```console block each
+`$ personage-lite …` line is run, with `< PATH` on the file, and must print the lines below it and
+exit with 0, or with N where the line ends in `# exits N`. Lines of other programs are skipped. A
+```python block must run; where its lines are like `print(…)  # text`, it must print those texts,
+or the lines of the ```text block that follows it. In what is shown, a line `…` stands for any lines
+left out, and ` …` at a line's end for the rest of that line. With `--update` the outputs are
+rewritten, but for those of Python.
 """
 
 from __future__ import annotations
@@ -18,16 +20,19 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from personage_lite import __version__
+from personage_lite.realizer.types import FIELDS, required
 
 ROOT = Path(__file__).resolve().parents[1]
 CUT = "…"
 _FILE = re.compile(r"# file: (\S+)\s*\Z")
 _EXITS = re.compile(r"#\s*exits (\d+)\s*\Z")
 _KEY = re.compile(r'"\w+": ')
+_PRINTS = re.compile(r"\s*print\(.*\)  # (.+)\Z")
 
 
 def _pages() -> list[Path]:
@@ -72,21 +77,38 @@ def run_page(page: str, folder: Path) -> tuple[str, list[str]]:
             shown, found = _run_block(body, start + 1, folder)
             faults += found
         elif fence == "```python":
-            faults += _run_python(body, start + 1, folder)
+            faults += _run_python(body, start + 1, folder, _texts(lines[start + len(body) + 1 :]))
         # Past blocks can have grown or shrunk: keep `done` and `lines` side by side.
         lines[start : start + len(body)] = shown
         done += [*shown, "```"]
     return "\n".join(done), faults
 
 
-def _run_python(body: list[str], first: int, folder: Path) -> list[str]:
-    """Run an example; what it raises is a fault."""
+def _texts(after: list[str]) -> list[str]:
+    """Return the lines of a ```text block, if the next block is one and follows closely."""
+    for index, line in enumerate(after[:5]):
+        if line.startswith("```"):
+            found = after[index + 1 :]
+            return found[: found.index("```")] if line == "```text" and "```" in found else []
+    return []
+
+
+def _run_python(body: list[str], first: int, folder: Path, texts: list[str]) -> list[str]:
+    """Run an example; what it raises is a fault, and what it prints but does not show.
+
+    It shows it in comments after `print(…)`, or in `texts`.
+    """
     environment = {**os.environ, "PYTHONPATH": str(ROOT), "PYTHONUTF8": "1"}
     command = [sys.executable, "-c", "\n".join(body)]
     done = subprocess.run(
         command, cwd=folder, env=environment, check=False, capture_output=True, text=True
     )
-    return [f"line {first}: {done.stderr}"] if done.returncode else []
+    if done.returncode:
+        return [f"line {first}: {done.stderr}"]
+    shown = [found.group(1) for line in body if (found := _PRINTS.match(line))] or texts
+    if shown and not matches(shown, done.stdout.splitlines()):
+        return ["\n".join([f"line {first}: prints:", done.stdout, "but the page shows:", *shown])]
+    return []
 
 
 def _write(body: list[str], folder: Path) -> None:
@@ -96,7 +118,8 @@ def _write(body: list[str], folder: Path) -> None:
     path = (folder / named.group(1)).resolve()
     assert path.is_relative_to(folder.resolve()), f"{named.group(1)} leaves the folder"
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text("\n".join([*body, ""]), "utf-8")
+    content = body[1:] if path.suffix == ".json" else body
+    path.write_text("\n".join([*content, ""]), "utf-8")
 
 
 def _steps(body: list[str]) -> Iterator[tuple[str, list[str]]]:
@@ -116,12 +139,16 @@ def _run_block(body: list[str], first: int, folder: Path) -> tuple[list[str], li
         if words[1:2] != ["personage-lite"]:
             done += [command, *shown]
             continue
+        given = None
+        if words[-2:-1] == ["<"]:
+            *words, _, name = words
+            given = (folder / name).read_bytes()
         if {"|", ">", ">>", "<", "&&", ";", "\\"} & set(words):
             faults.append(f"{place}\nis more than one command: the test cannot run it")
             done += [command, *shown]
             continue
         expected = _EXITS.search(command)
-        code, printed = _run(words[2:], folder)
+        code, printed = _run(words[2:], folder, given)
         if code != int(expected.group(1) if expected else 0):
             faults.append(f"{place}\nexits {code} and prints:\n" + "\n".join(printed))
         blank = shown[len(_trimmed(shown)) :]
@@ -133,20 +160,20 @@ def _run_block(body: list[str], first: int, folder: Path) -> tuple[list[str], li
     return done, faults
 
 
-def _run(arguments: list[str], folder: Path) -> tuple[int, list[str]]:
-    """Return a command's exit code and the lines that it prints on stdout and stderr."""
+def _run(arguments: list[str], folder: Path, given: bytes | None) -> tuple[int, list[str]]:
+    """Return a command's exit code and the lines that it prints; `given` is its standard input."""
     ran = subprocess.run(
         [sys.executable, "-m", "personage_lite", *arguments],
         cwd=folder,
         env={**os.environ, "PYTHONPATH": str(ROOT), "COLUMNS": "80"},
-        stdin=subprocess.DEVNULL,
+        input=given or b"",
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
-        encoding="utf-8",
         timeout=60,
         check=False,
     )
-    return ran.returncode, _trimmed([line.rstrip() for line in ran.stdout.split("\n")])
+    lines = ran.stdout.decode("utf-8").replace("\r\n", "\n").split("\n")
+    return ran.returncode, _trimmed([line.rstrip() for line in lines])
 
 
 def _trimmed(lines: list[str]) -> list[str]:
@@ -273,3 +300,51 @@ def test_python_is_run(tmp_path: Path) -> None:
     page = "\n".join(["```python", "import personage_lite", "```"])
     assert run_page(page, tmp_path) == (page, [])
     assert len(run_page(page.replace("lite", "heavy"), tmp_path)[1]) == 1
+
+
+def test_what_python_prints_is_compared(tmp_path: Path) -> None:
+    page = "\n".join(["```python", "print(6 * 7)  # 42", "```"])
+    assert run_page(page, tmp_path) == (page, [])
+    assert len(run_page(page.replace("# 42", "# 41"), tmp_path)[1]) == 1
+    page = "\n".join(
+        ["```python", "print(6 * 7)", "```", "", "It prints:", "", "```text", "42", "```"]
+    )
+    assert run_page(page, tmp_path) == (page, [])
+    assert len(run_page(page.replace("42", "41"), tmp_path)[1]) == 1
+
+
+def test_a_command_reads_a_file(tmp_path: Path) -> None:
+    (tmp_path / "a.yaml").write_text("just words", "utf-8")
+    page = _page("$ personage-lite realize - < a.yaml", "Just words.")
+    assert run_page(page, tmp_path) == (page, [])
+
+
+# The reference of the realizer
+
+REALIZER = ROOT / "docs" / "realizer.md"
+
+
+def _default(kind: Any, field: str) -> str:
+    """Return a field's default as the page writes it."""
+    if field in required(kind):
+        return "required"
+    value = kind._field_defaults[field]
+    if value is None or value in ("", ()):
+        return "none"
+    return f"`{str(value).lower()}`"
+
+
+@pytest.mark.parametrize("kind", FIELDS, ids=lambda kind: kind.__name__)
+def test_the_realizer_page_has_every_field_of_a_type(kind: Any) -> None:
+    page = REALIZER.read_text("utf-8")
+    _, _, section = page.partition(f"\n### `{kind.__name__}`\n")
+    rows = re.findall(r"^\| `(\w+)` \| .+? \| (.+?) \| .+ \|$", section.split("\n#")[0], re.M)
+    assert rows == [(field, _default(kind, field)) for field in FIELDS[kind]]
+
+
+def test_the_schema_is_the_one_that_the_command_prints(tmp_path: Path, update: bool) -> None:
+    path = ROOT / "docs" / "realizer.schema.json"
+    code, printed = _run(["realize", "--schema"], tmp_path, None)
+    if update and code == 0:
+        path.write_bytes("\n".join([*printed, ""]).encode("utf-8"))
+    assert (code, path.read_text("utf-8").splitlines()) == (0, printed)

@@ -1,4 +1,4 @@
-"""Why a specification could not be realized: the path to its fault, found only when there is one."""
+"""Why a specification could not be realized: the path to its fault, looked for only then."""
 
 from __future__ import annotations
 

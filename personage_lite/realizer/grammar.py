@@ -27,19 +27,6 @@ GENDERS = ("masculine", "feminine", "neuter")
 RELATIVE_ROLES = (
     *("subject", "object", "restrictive_subject", "restrictive_object", "after_preposition"),
 )
-_SETS = (
-    *("negated_as_a_whole", "prospective", "auxiliary_semi_modals", "never_backshifted"),
-    *("contracting", "contracted_after", "negators", "negative_determiners", "inverting"),
-    *(
-        "inverting_with_ellipsis",
-        "approximators",
-        "plural_in_tags",
-        "repeated_in_tags",
-        "disjunctive",
-        "indefinite_pronouns",
-        "abbreviations",
-    ),
-)
 DETERMINER_FIELDS = ("number", "plural", "uncountable")
 
 
@@ -113,6 +100,7 @@ class Grammar(NamedTuple):
     approximators: frozenset[str]
     plural_in_tags: frozenset[str]
     repeated_in_tags: frozenset[str]
+    indefinite_articles: frozenset[str]
     determiners: dict[str, DeterminerForms]
     correlatives: dict[str, str]
     disjunctive: frozenset[str]
@@ -126,6 +114,8 @@ class Grammar(NamedTuple):
     curly_apostrophes: bool = False
 
 
+# The fields that are plain sets of words.
+_SETS = tuple(name for name, kind in Grammar.__annotations__.items() if kind == frozenset[str])
 # Ranks of adjectives: those that limit ("other"), the opinions, and those that no class names.
 LIMITING, OPINION, UNLISTED = 0, 1, 2
 

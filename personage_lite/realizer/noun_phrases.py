@@ -11,7 +11,7 @@ from personage_lite.realizer.grammar import LIMITING, OPINION, UNLISTED, Grammar
 from personage_lite.realizer.inflection import Countability
 from personage_lite.realizer.numerals import cardinal, ordinal
 from personage_lite.realizer.orthography import INDEFINITE, MARKS
-from personage_lite.realizer.phrases import after_adjective, attribute
+from personage_lite.realizer.phrases import attribute
 from personage_lite.realizer.specification import (
     AdjectivePhrase,
     Case,
@@ -19,6 +19,7 @@ from personage_lite.realizer.specification import (
     Coordination,
     NounPhrase,
     Phrase,
+    PrepositionalPhrase,
     Relative,
 )
 from personage_lite.realizer.stutter import stutter
@@ -41,17 +42,8 @@ def noun_phrase(
     start = len(out)
     plural, kind = number_and_kind(phrase, grammar)
     owner = phrase.possessor
-    owned_after = owner is not None and (phrase.determiner != "" or _heavy(owner))
-    if phrase.predeterminer:
-        out.append(phrase.predeterminer)
-    if owner is not None and not owned_after:
-        syntax.phrase(out, owner, "independent" if _stands_alone(phrase) else "possessive")
-    elif owner is not None and not phrase.determiner:
-        out.append(grammar.words.definite)
-    elif phrase.determiner:
-        determiner = determiner_form(phrase, plural, kind, grammar)
-        if determiner:
-            out.append(INDEFINITE if determiner in ("a", "an") else determiner)
+    owner_after = owner is not None and (phrase.determiner != "" or _heavy(owner))
+    _before_adjectives(syntax, out, phrase, plural, kind, owner_after)
     adjectives = phrase.adjectives
     if len(adjectives) > 1 or (adjectives and phrase.cardinal is not None):
         adjectives = _in_order(syntax, out, adjectives)
@@ -63,23 +55,19 @@ def noun_phrase(
         pair = grammar.words.pair
         out.append(pluralize(pair, grammar.inflection) if plural else pair)
         out.append(grammar.words.possession)
-    after = phrase.noun in grammar.indefinite_pronouns  # "something strange"
-    following = _adjectives(syntax, out, adjectives) if adjectives and not after else ()
+    if phrase.noun in grammar.indefinite_pronouns:
+        following = list(adjectives)  # "something strange"
+    else:
+        following = _adjectives(syntax, out, adjectives) if adjectives else []
     if phrase.noun:
-        if phrase.stutter and out[start:] and out[-1] == INDEFINITE:
+        if phrase.stutter and len(out) > start and out[-1] == INDEFINITE:
             out[-1] = INDEFINITE + phrase.noun  # "a f-fox"
         out.append(_noun(phrase, plural, kind, grammar))
-        if after:
-            for strange in adjectives:
-                syntax.phrase(out, strange)
     elif len(out) == start:
         raise SpecificationError("a noun phrase says nothing; give it a noun", phrase)
     for adjective in following:
-        if isinstance(adjective, AdjectivePhrase) and not _governs(adjective):
-            after_adjective(syntax, out, adjective)
-        else:
-            syntax.phrase(out, adjective)
-    if owner is not None and owned_after:
+        syntax.phrase(out, adjective)
+    if owner is not None and owner_after:
         _owner_after(syntax, out, owner, double=phrase.determiner != "" and not _heavy(owner))
     if case in ("possessive", "independent"):
         for modifier in phrase.modifiers:
@@ -87,6 +75,29 @@ def noun_phrase(
         possess(out, plural)
         phrase = phrase._replace(modifiers=())
     _after_noun(syntax, out, phrase)
+
+
+def _before_adjectives(
+    syntax: Syntax,
+    out: list[str],
+    phrase: NounPhrase,
+    plural: bool,
+    kind: Countability,
+    owner_after: bool,
+) -> None:
+    """Add the determiner, or the owner in its place."""
+    grammar, owner = syntax.grammar, phrase.possessor
+    if phrase.predeterminer:
+        out.append(phrase.predeterminer)
+    if owner is not None and not owner_after:
+        syntax.phrase(out, owner, "independent" if _stands_alone(phrase) else "possessive")
+    elif owner is not None and not phrase.determiner:
+        out.append(grammar.words.definite)
+    elif phrase.determiner:
+        determiner = determiner_form(phrase, plural, kind, grammar)
+        if determiner:
+            article = determiner in grammar.indefinite_articles
+            out.append(INDEFINITE if article else determiner)
 
 
 def _after_noun(syntax: Syntax, out: list[str], phrase: NounPhrase) -> None:
@@ -161,18 +172,23 @@ def _adjectives(syntax: Syntax, out: list[str], adjectives: tuple[Phrase, ...]) 
         if isinstance(adjective, AdjectivePhrase):
             attribute(syntax, out, adjective)
             if adjective.compared is not None:
-                following.append(adjective)
+                following.append(_comparison(syntax, adjective.compared))
         elif isinstance(adjective, Coordination):
             last = adjective.items[-1]
             compared = last if isinstance(last, AdjectivePhrase) and last.compared else None
-            if compared is not None:
+            if compared is not None and compared.compared is not None:
                 bare = (*adjective.items[:-1], compared._replace(compared=None))
                 adjective = adjective._replace(items=bare)
-                following.append(compared)
+                following.append(_comparison(syntax, compared.compared))
             syntax.phrase(out, adjective)
         else:
             syntax.phrase(out, adjective)
     return following
+
+
+def _comparison(syntax: Syntax, compared: Phrase) -> Phrase:
+    """Return what a comparative before a noun leaves behind it: "than Dinah"."""
+    return PrepositionalPhrase(syntax.grammar.words.comparative, compared)
 
 
 def _governs(adjective: Phrase) -> bool:

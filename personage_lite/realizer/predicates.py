@@ -134,8 +134,8 @@ def _finite_words(
     able = clause.contracted and after_pronoun and group.auxiliary
     if able and (negated or _can_shorten(clause, group)):
         # "There's" and "who's", but not "there're".
-        if finite in grammar.contracted_after or out[-1].lower() not in grammar.contracting:
-            short = grammar.contractions.get(finite)
+        odd = finite not in grammar.contracted_after and out[-1].lower() in grammar.contracting
+        short = None if odd else grammar.contractions.get(finite)
     if not negated:
         if short:
             out[-1] += short

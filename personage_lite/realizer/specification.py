@@ -27,7 +27,7 @@ Form: TypeAlias = Literal[
     "finite", "infinitive", "bare_infinitive", "present_participle", "past_participle"
 ]
 Role: TypeAlias = Literal["subject", "indirect_object", "object", "complement", "adverbial"]
-Ellipsis: TypeAlias = Literal["subject", "auxiliary", "verb", "main_verb", "predicate"]
+Elided: TypeAlias = Literal["subject", "auxiliary", "verb", "main_verb", "predicate"]
 
 
 @checked(degree=Degree)
@@ -200,8 +200,8 @@ class Clause(NamedTuple):
 
     `ellipsis` leaves out what was said before: the subject ("and runs"), subject and first
     auxiliary ("and drunk"), the verb group ("and the Hatter tea"), the main verb and what follows
-    it ("she could have"), or all that follows the first auxiliary ("she does"). `truncated` breaks off after the verb. `contracted` shortens what can
-    be shortened: "she's", "isn't".
+    it ("she could have"), or all that follows the first auxiliary ("she does"). `truncated`
+    breaks off after the verb. `contracted` shortens what can be shortened: "she's", "isn't".
     """
 
     verb: str
@@ -234,7 +234,7 @@ class Clause(NamedTuple):
     preposed: "tuple[Phrase, ...]" = ()
     complementizer: str = ""
     backshifted: bool = False
-    ellipsis: tuple[Ellipsis, ...] = ()
+    ellipsis: tuple[Elided, ...] = ()
     emphatic: bool = False
 
 

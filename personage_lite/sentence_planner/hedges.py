@@ -57,7 +57,7 @@ def degree_fits(clause: ClausePlan) -> bool:
         and isinstance(said, AdjectivePhrase)
         and not said.adverbs
         and not clause.clause.negated
-        and not clause.clause.mood == "exclamative"
+        and clause.clause.mood != "exclamative"
         and clause.role == "assertion"
     )
 
