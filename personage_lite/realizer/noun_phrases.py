@@ -10,8 +10,8 @@ from personage_lite.realizer.features import SpecificationError
 from personage_lite.realizer.grammar import LIMITING, OPINION, UNLISTED, Grammar
 from personage_lite.realizer.inflection import Countability
 from personage_lite.realizer.numerals import cardinal, ordinal
-from personage_lite.realizer.orthography import INDEFINITE, MARKS
-from personage_lite.realizer.phrases import attribute
+from personage_lite.realizer.orthography import INDEFINITE
+from personage_lite.realizer.phrases import attribute, possess
 from personage_lite.realizer.specification import (
     AdjectivePhrase,
     Case,
@@ -115,14 +115,6 @@ def _after_noun(syntax: Syntax, out: list[str], phrase: NounPhrase) -> None:
 def pronoun(out: list[str], phrase: NounPhrase, case: Case, grammar: Grammar) -> None:
     """Add the pronoun that stands for a noun phrase."""
     out.append(grammar.pronouns[phrase.person, phrase.number, phrase.gender][case])
-
-
-def possess(out: list[str], plural: bool) -> None:
-    """Make the last word said an owner: Alice's, the gardeners'."""
-    last = len(out) - 1
-    while last and out[last] in MARKS:
-        last -= 1
-    out[last] += "'" if plural and out[last].endswith("s") else "'s"
 
 
 def _noun(phrase: NounPhrase, plural: bool, kind: Countability, grammar: Grammar) -> str:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from personage_lite.realizer.clauses import main_clause
 from personage_lite.realizer.numerals import Date, cardinal, date_text, ordinal
+from personage_lite.realizer.orthography import MARKS
 from personage_lite.realizer.specification import (
     AdjectivePhrase,
     Case,
@@ -31,6 +32,17 @@ def text(syntax: Syntax, out: list[str], phrase: Text, case: Case = "objective")
             syntax.phrase(out, part.phrase, part.case)
         else:
             syntax.phrase(out, part)
+    last = phrase.parts[-1]
+    if case in ("possessive", "independent") and not isinstance(last, Cased):
+        possess(out, plural=False)
+
+
+def possess(out: list[str], plural: bool) -> None:
+    """Make the last word said an owner: Alice's, the gardeners'."""
+    last = len(out) - 1
+    while last and out[last] in MARKS:
+        last -= 1
+    out[last] += "'" if plural and out[last].endswith("s") else "'s"
 
 
 def adjective_phrase(

@@ -46,7 +46,8 @@ class Syntax:
     def phrase(self, out: list[str], phrase: Phrase | Embedded, case: Case = "objective") -> None:
         """Add the words of any phrase."""
         if phrase.__class__ is str:
-            out.append(phrase)
+            owner = case in ("possessive", "independent")
+            out.append(f"{phrase}'s" if owner else phrase)
         else:
             _SAY[phrase.__class__](self, out, phrase, case)
 
