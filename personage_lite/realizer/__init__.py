@@ -84,8 +84,7 @@ class Realizer:
         wrong type, something nested too deep.
         """
         try:
-            whole = sentence if isinstance(sentence, Sentence) else Sentence(sentence)
-            return write(self._syntax.sentence(whole), self.grammar)
+            return write(self._syntax.tokens(sentence), self.grammar)
         except (SpecificationError, *_BROKEN) as error:
             from personage_lite.realizer.diagnosis import diagnosed  # only a fault needs it
 

@@ -208,7 +208,7 @@ def quoted(syntax: Syntax, quotation: str | Quotation) -> str:
     """Return direct speech in quotation marks; those inside it become single ones."""
     speech = quotation.speech if isinstance(quotation, Quotation) else quotation
     if isinstance(speech, Sentence):
-        speech = write(syntax.sentence(speech), syntax.grammar)
+        speech = write(syntax.tokens(speech), syntax.grammar)
     return f"“{_inner(speech)}”"
 
 

@@ -68,6 +68,14 @@ def sentence(syntax: Syntax, spec: Sentence) -> list[str]:
     return out
 
 
+def lone(syntax: Syntax, phrase: Phrase) -> list[str]:
+    """Return the words of a clause or another phrase that is a sentence by itself."""
+    out: list[str] = []
+    _body(syntax, out, phrase)
+    out.append(_terminal(phrase))
+    return out
+
+
 def embedded(syntax: Syntax, out: list[str], body: Embedded, case: Case = "objective") -> None:
     """Add fixed words and the clause that stands inside them."""
     syntax.phrase(out, body.lead)

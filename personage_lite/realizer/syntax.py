@@ -51,6 +51,8 @@ class Syntax:
         else:
             _SAY[phrase.__class__](self, out, phrase, case)
 
-    def sentence(self, sentence: Sentence) -> list[str]:
+    def tokens(self, sentence: Sentence | Phrase) -> list[str]:
         """Return the words and marks of one sentence in order, before orthography."""
-        return sentences.sentence(self, sentence)
+        if isinstance(sentence, Sentence):
+            return sentences.sentence(self, sentence)
+        return sentences.lone(self, sentence)
