@@ -29,6 +29,7 @@ def checked(**choices: Any) -> Callable[[type[T]], type[T]]:
         made_by: Any = kind
         make, fields = made_by.__new__, made_by._fields
         checks = tuple((fields.index(name), get_args(type_)) for name, type_ in choices.items())
+        names, first = frozenset(choices), min(index for index, _ in checks)
 
         @wraps(make)  # so that editors show the features
         def new(cls: type[T], *values: object, **features: object) -> Any:
@@ -36,9 +37,11 @@ def checked(**choices: Any) -> Callable[[type[T]], type[T]]:
                 made = make(cls, *values, **features)
             except TypeError as error:
                 raise SpecificationError(_misfit(kind, fields, features, error)) from None
-            for index, allowed in checks:
-                if made[index] not in allowed:
-                    raise wrong_value(kind.__name__, fields[index], made[index], allowed)
+            # Defaults are right: only what is given needs a look.
+            if len(values) > first or not names.isdisjoint(features):
+                for index, allowed in checks:
+                    if made[index] not in allowed:
+                        raise wrong_value(kind.__name__, fields[index], made[index], allowed)
             return made
 
         made_by.__new__ = new

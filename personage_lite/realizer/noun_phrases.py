@@ -73,8 +73,9 @@ def noun_phrase(
         for modifier in phrase.modifiers:
             syntax.phrase(out, modifier)
         possess(out, plural)
-        phrase = phrase._replace(modifiers=())
-    _after_noun(syntax, out, phrase)
+        phrase = phrase._replace(modifiers=())  # said before the 's
+    if phrase.modifiers or phrase.apposition is not None or phrase.relative is not None:
+        _after_noun(syntax, out, phrase)
 
 
 def _before_adjectives(

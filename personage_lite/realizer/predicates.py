@@ -55,12 +55,15 @@ def predicate(
     if outside and clause.emphasizers:
         out.extend(clause.emphasizers)
         after_pronoun = False
-    middle = [] if outside else list(clause.emphasizers)
-    middle.extend(clause.adverbs)
-    if negator and (whole or not plain_not):
-        middle.insert(0, negator)
-    if clause.interruption:
-        middle.extend((",", clause.interruption, ","))
+    middle: list[str] = []
+    if clause.negated or clause.emphasizers or clause.adverbs or clause.interruption:
+        if negator and (whole or not plain_not):
+            middle.append(negator)
+        if not outside:
+            middle.extend(clause.emphasizers)
+        middle.extend(clause.adverbs)
+        if clause.interruption:
+            middle.extend((",", clause.interruption, ","))
     if before is not None:
         _inverted_finite(syntax, out, clause, group, before)
         out.extend(middle)
