@@ -31,6 +31,8 @@ def agreement(phrase: Phrase | None, grammar: Grammar, inverted: bool = False) -
     if isinstance(phrase, NounPhrase):
         return phrase.person, is_plural(phrase, grammar)
     if isinstance(phrase, Coordination):
+        if phrase.conjunction in grammar.additive:
+            return agreement(phrase.items[0], grammar)
         if phrase.conjunction in grammar.disjunctive or len(phrase.items) == 1:
             return agreement(phrase.items[0 if inverted else -1], grammar, inverted)
         if not any(_many(item, grammar) for item in phrase.items):

@@ -46,6 +46,7 @@ def main_clause(
         out.extend((quoted(syntax, quotation), ","))
         if quotation.inverted and clause.subject is not None and _can_report(clause):
             _reporting(syntax, out, clause, clause.subject)
+            _rest_of_speech(syntax, out, quotation)
             return
     if clause.preposed:
         inverted = preposed(syntax, out, clause) or inverted
@@ -59,6 +60,8 @@ def main_clause(
     else:
         _subject_and_predicate(syntax, out, clause, inverted, shared_subject)
     following(syntax, out, clause)
+    if isinstance(quotation, Quotation) and quotation.first:
+        _rest_of_speech(syntax, out, quotation)
 
 
 def content_clause(
@@ -237,6 +240,12 @@ def _reporting(syntax: Syntax, out: list[str], clause: Clause, subject: Phrase) 
     out.extend(clause.adverbs)
     arguments(syntax, out, clause, subject)
     following(syntax, out, clause)
+
+
+def _rest_of_speech(syntax: Syntax, out: list[str], quotation: Quotation) -> None:
+    """Add the speech that goes on after its clause: "(“Well,” says Alice,) “I am not.”"."""
+    if quotation.rest:
+        out.extend((",", quoted(syntax, quotation.rest)))
 
 
 def _can_report(clause: Clause) -> bool:

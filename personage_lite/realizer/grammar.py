@@ -103,6 +103,7 @@ class Grammar(NamedTuple):
     indefinite_articles: frozenset[str]
     determiners: dict[str, DeterminerForms]
     correlatives: dict[str, str]
+    additive: frozenset[str]
     disjunctive: frozenset[str]
     adjective_order: dict[str, int]
     indefinite_pronouns: frozenset[str]

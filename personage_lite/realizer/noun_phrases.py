@@ -74,8 +74,7 @@ def noun_phrase(
             syntax.phrase(out, modifier)
         possess(out, plural)
         phrase = phrase._replace(modifiers=())  # said before the 's
-    if phrase.modifiers or phrase.apposition is not None or phrase.relative is not None:
-        _after_noun(syntax, out, phrase)
+    _after_noun(syntax, out, phrase)
 
 
 def _before_adjectives(
@@ -111,6 +110,8 @@ def _after_noun(syntax: Syntax, out: list[str], phrase: NounPhrase) -> None:
         out.append(",")
     if phrase.relative is not None:
         _relative(syntax, out, phrase, phrase.relative)
+    if phrase.interruption:
+        out.extend((",", phrase.interruption, ","))
 
 
 def pronoun(out: list[str], phrase: NounPhrase, case: Case, grammar: Grammar) -> None:

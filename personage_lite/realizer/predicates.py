@@ -207,7 +207,7 @@ def arguments(
         out.extend((",", quoted(syntax, quotation)))
 
 
-def quoted(syntax: Syntax, quotation: str | Quotation) -> str:
+def quoted(syntax: Syntax, quotation: str | Sentence | Quotation) -> str:
     """Return direct speech in quotation marks; those inside it become single ones."""
     speech = quotation.speech if isinstance(quotation, Quotation) else quotation
     if isinstance(speech, Sentence):

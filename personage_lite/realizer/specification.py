@@ -59,7 +59,8 @@ class NounPhrase(NamedTuple):
     `pronoun` says its pronoun, `reflexive` the one in -self; a pronoun that is the object and
     denotes the same `entity` as the subject is reflexive by itself. `entity` names whom the
     phrase denotes; it is not said, and the noun of an entity is never inflected. `stutter`
-    repeats the name's first letters that many times: "Al-Al-Alice".
+    repeats the name's first letters that many times ("Al-Al-Alice"); `interruption` is a
+    hesitation after the phrase: "Alice, um, is late".
     """
 
     noun: str
@@ -81,6 +82,7 @@ class NounPhrase(NamedTuple):
     figures: bool = False
     modifiers: "tuple[Phrase, ...]" = ()
     apposition: "Phrase | None" = None
+    interruption: str = ""
 
 
 @checked(role=Role)
@@ -164,12 +166,14 @@ class Question(NamedTuple):
 class Quotation(NamedTuple):
     """Direct speech; `first` puts it before its clause, `inverted` the verb before the subject.
 
-    "“I am late,” says the White Rabbit."
+    "“I am late,” says the White Rabbit." With `first`, `rest` is what goes on after the clause:
+    "“Well,” says Alice, “I am not.”"
     """
 
     speech: "str | Sentence"
     first: bool = False
     inverted: bool = False
+    rest: "str | Sentence" = ""
 
 
 class Subordinate(NamedTuple):

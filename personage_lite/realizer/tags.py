@@ -86,7 +86,7 @@ def _pronoun(subject: Phrase | None, grammar: Grammar) -> NounPhrase:
         subject = part.phrase if isinstance(part, Cased) else part
     if isinstance(subject, NounPhrase):
         if subject.pronoun:
-            return subject._replace(relative=None, apposition=None, modifiers=())
+            return subject._replace(relative=None, apposition=None, modifiers=(), interruption="")
         if subject.noun in grammar.repeated_in_tags and not subject.determiner:
             return NounPhrase(subject.noun)
         # "Neither of them, did they?", but of things "did it?"
