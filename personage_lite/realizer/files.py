@@ -49,6 +49,9 @@ def _specifications(data: Any) -> list[tuple[Path, Any]]:
                 what = f"unknown field '{key}' beside '{_SENTENCES}'"
                 raise MisreadError((key,), what, f"put it under '{_SHARED}'")
         data, path = data[_SENTENCES], (_SENTENCES,)
+    elif isinstance(data, dict) and _SHARED in data:
+        what = f"'{_SHARED}' without '{_SENTENCES}'"
+        raise MisreadError((_SHARED,), what, f"put what is to be said under '{_SENTENCES}'")
     if not isinstance(data, list):
         return [(path, data)]
     if not data:

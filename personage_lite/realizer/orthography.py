@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from personage_lite.realizer.article import indefinite_article
+from personage_lite.realizer.features import SpecificationError
 from personage_lite.realizer.grammar import Grammar
 
 # Stands for "a" or "an" until the next word is known; no word can look like it. What follows it
@@ -28,7 +29,9 @@ def write(tokens: list[str], grammar: Grammar) -> str:
     glued = False
     last = len(tokens) - 1
     for index, token in enumerate(tokens):
-        if token[:1] in _UNUSUAL:
+        if not token:
+            continue
+        if token[0] in _UNUSUAL:
             if token in MARKS or _only_marks(token):
                 if written:
                     after = tokens[index + 1] if index < last else ""
@@ -54,6 +57,8 @@ def write(tokens: list[str], grammar: Grammar) -> str:
         else:
             written.append(token)
         glued = token == "("
+    if not written:
+        raise SpecificationError("there is nothing to say; give it words")
     text = " ".join(written)
     return text.replace("'", "’") if grammar.curly_apostrophes else text
 

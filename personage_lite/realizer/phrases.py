@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from personage_lite.errors import PersonageError
 from personage_lite.realizer.clauses import main_clause
+from personage_lite.realizer.features import SpecificationError
 from personage_lite.realizer.numerals import Date, cardinal, date_text, ordinal
 from personage_lite.realizer.orthography import MARKS
 from personage_lite.realizer.specification import (
@@ -32,7 +34,7 @@ def text(syntax: Syntax, out: list[str], phrase: Text, case: Case = "objective")
             syntax.phrase(out, part.phrase, part.case)
         else:
             syntax.phrase(out, part)
-    last = phrase.parts[-1]
+    last = phrase.parts[-1] if phrase.parts else ""
     if case in ("possessive", "independent") and not isinstance(last, Cased):
         possess(out, plural=False)
 
@@ -97,7 +99,10 @@ def numeral(syntax: Syntax, out: list[str], phrase: Numeral, case: Case = "objec
 def date(syntax: Syntax, out: list[str], phrase: Date, case: Case = "objective") -> None:
     """Add a date."""
     numerals = syntax.grammar.numerals
-    out.append(date_text(phrase, numerals))
+    try:
+        out.append(date_text(phrase, numerals))
+    except PersonageError as error:
+        raise SpecificationError(str(error), phrase) from None
     if phrase.style == "figures" and phrase.day and "," in numerals.patterns["figures_year"]:
         out.append(",")  # "July 4, 1862, was warm"
 
@@ -112,6 +117,8 @@ def coordination(
     """Add phrases or clauses with commas and the conjunction between them."""
     grammar = syntax.grammar
     items, conjunction = phrase.items, phrase.conjunction
+    if not items:
+        raise SpecificationError("this joins nothing; give it items", phrase)
     last = len(items) - 1
     inverted = False
     pair = grammar.correlatives.get(conjunction, "") if phrase.correlative and last else ""

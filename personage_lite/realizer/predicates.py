@@ -113,6 +113,7 @@ def _inverted_finite(
         and clause.question is not None
         and isinstance(clause.question.phrase, str)
         and clause.question.phrase in grammar.contracting
+        and (group.rest or not (isinstance(subject, NounPhrase) and subject.pronoun))
     ):
         out[-1] += grammar.contractions[finite]
         finite = ""

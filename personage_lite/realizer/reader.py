@@ -99,13 +99,14 @@ def _mapping(data: dict[Any, Any], able: tuple[Any, ...], path: Path, around: An
             raise MisreadError(
                 path, "nothing says what this is", f"give it one of: {', '.join(names)}"
             )
-        kind = fitting[0]
+        # Of several that it may be meant to be, the one that knows most of what is given.
+        kind = max(fitting, key=lambda each: sum(name in FIELDS[each] for name in data))
     fields = FIELDS[kind]
     values = {}
     for name, value in data.items():
         if name not in fields:
             remedy = nearest(str(name), fields)
-            what = f"a {kind.__name__} has no field '{shown(str(name))}'"
+            what = f"{kind.__name__} has no field '{shown(str(name))}'"
             raise MisreadError((*path, str(name)), what, remedy)
         values[name] = _read(value, fields[name], (*path, name), around)
     for name in required(kind):

@@ -184,7 +184,7 @@ class Subordinate(NamedTuple):
     fronted: bool = False
 
 
-@checked(tense=Tense, mood=Mood, form=Form)
+@checked(tense=Tense, mood=Mood, form=Form, ellipsis=tuple[Elided, ...])
 class Clause(NamedTuple):
     """A verb with its arguments, before word order and inflection.
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from personage_lite.errors import nearest, shown
 from personage_lite.realizer.agreement import Agreement
+from personage_lite.realizer.features import SpecificationError
 from personage_lite.realizer.grammar import Grammar
 from personage_lite.realizer.specification import Clause
 from personage_lite.realizer.words import VerbForm, inflect_verb, spell
@@ -117,8 +119,11 @@ def _links(clause: Clause, perfect: bool, grammar: Grammar) -> list[_Link]:
     modal = clause.modal
     first, *linked = modal.split(" ")
     semi: _Link | None = (first, tuple(linked), "base") if linked else None
-    if semi and is_modal(modal, grammar):
+    if modal and is_modal(modal, grammar):
         semi = None
+    elif modal and semi is None:
+        remedy = nearest(modal, grammar.modals)
+        raise SpecificationError(f"'{shown(modal)}' is no modal; {remedy}", clause)
     if semi and modal in grammar.prospective:
         links.append(semi)
     if perfect:
