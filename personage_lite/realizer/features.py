@@ -42,7 +42,9 @@ def checked(**choices: Any) -> Callable[[type[T]], type[T]]:
         wrong = [f"{name}.__class__ is not tuple" for name in several]
         for name in allowed:
             test = f"{name} not in _{name}"
-            wrong.append(f"({name} and not _{name}.issuperset({name}))" if name in several else test)
+            wrong.append(
+                f"({name} and not _{name}.issuperset({name}))" if name in several else test
+            )
 
         def refuse(cls: type[T], unknown: dict[str, object], values: tuple[object, ...]) -> None:
             for name in unknown:

@@ -61,11 +61,7 @@ class DeterminerForms(NamedTuple):
     number: str = ""
     plural: str | None = None
     uncountable: str | None = None
-
-    @property
-    def singly(self) -> bool:
-        """Whether it counts single things, as "a" and "another" do."""
-        return self.plural is not None and self.uncountable is not None
+    singly: bool = False  # whether it counts single things, as "a" and "another" do
 
 
 class Grammar(NamedTuple):
@@ -223,7 +219,9 @@ def _determiner(node: Node) -> DeterminerForms:
         found = node.get(key)
         # An empty form is said by leaving the determiner out.
         forms[key] = None if found is None else found.text(empty=True)
-    return DeterminerForms(number, **forms)
+    plural, uncountable = forms["plural"], forms["uncountable"]
+    singly = plural is not None and uncountable is not None
+    return DeterminerForms(number, plural, uncountable, singly)
 
 
 def _order(node: Node) -> dict[str, int]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from personage_lite.realizer.agreement import determiner_form, number_and_kind, takes_pair
@@ -33,48 +34,67 @@ def noun_phrase(
     syntax: Syntax, out: list[str], phrase: NounPhrase, case: Case = "objective"
 ) -> None:
     """Add a noun phrase or its pronoun."""
+    # Taken apart at once: asking for each by its name takes a tenth of a sentence's time.
+    (
+        noun,
+        determiner,
+        adjectives,
+        owner,
+        _,
+        _,
+        _,
+        _,
+        by_pronoun,
+        relative,
+        stuttered,
+        _,
+        reflexive,
+    ) = phrase[:13]
+    predeterminer, count, rank, figures, modifiers, apposition, interruption = phrase[13:]
     grammar = syntax.grammar
-    if phrase.pronoun or phrase.reflexive or case == "reflexive":
-        pronoun(out, phrase, "reflexive" if phrase.reflexive else case, grammar)
-        if phrase.pronoun and case in ("subjective", "objective"):
+    followed = modifiers or relative or apposition is not None or interruption
+    if by_pronoun or reflexive or case == "reflexive":
+        pronoun(out, phrase, "reflexive" if reflexive else case, grammar)
+        if by_pronoun and followed and case in ("subjective", "objective"):
             _after_noun(syntax, out, phrase)
         return
     start = len(out)
     plural, kind = number_and_kind(phrase, grammar)
-    owner = phrase.possessor
-    owner_after = owner is not None and (phrase.determiner != "" or _heavy(owner))
-    _before_adjectives(syntax, out, phrase, plural, kind, owner_after)
-    adjectives = phrase.adjectives
-    if len(adjectives) > 1 or (adjectives and phrase.cardinal is not None):
+    owner_after = owner is not None and (determiner != "" or _heavy(owner))
+    if determiner or owner is not None or predeterminer:
+        _before_adjectives(syntax, out, phrase, plural, kind, owner_after)
+    if len(adjectives) > 1 or (adjectives and count is not None):
         adjectives = _in_order(syntax, out, adjectives)
-    if phrase.ordinal is not None:
-        out.append(ordinal(phrase.ordinal, grammar.numerals, phrase.figures))
-    if phrase.cardinal is not None:
-        out.append(cardinal(phrase.cardinal, grammar.numerals, phrase.figures))
+    if rank is not None:
+        out.append(ordinal(rank, grammar.numerals, figures))
+    if count is not None:
+        out.append(cardinal(count, grammar.numerals, figures))
     if kind == "pair" and takes_pair(phrase, grammar):
         pair = grammar.words.pair
         out.append(pluralize(pair, grammar.inflection) if plural else pair)
         out.append(grammar.words.possession)
-    if phrase.noun in grammar.indefinite_pronouns:
-        following = list(adjectives)  # "something strange"
-    else:
-        following = _adjectives(syntax, out, adjectives) if adjectives else []
-    if phrase.noun:
-        if phrase.stutter and len(out) > start and out[-1] == INDEFINITE:
-            out[-1] = INDEFINITE + phrase.noun  # "a f-fox"
+    following: Sequence[Phrase] = ()
+    if adjectives:
+        # "Something strange"
+        after = noun in grammar.indefinite_pronouns
+        following = adjectives if after else _adjectives(syntax, out, adjectives)
+    if noun:
+        if stuttered and len(out) > start and out[-1] == INDEFINITE:
+            out[-1] = INDEFINITE + noun  # "a f-fox"
         out.append(_noun(phrase, plural, kind, grammar))
     elif len(out) == start:
         raise SpecificationError("a noun phrase says nothing; give it a noun", phrase)
     for adjective in following:
         syntax.phrase(out, adjective)
     if owner is not None and owner_after:
-        _owner_after(syntax, out, owner, double=phrase.determiner != "" and not _heavy(owner))
+        _owner_after(syntax, out, owner, double=determiner != "" and not _heavy(owner))
     if case in ("possessive", "independent"):
-        for modifier in phrase.modifiers:
+        for modifier in modifiers:
             syntax.phrase(out, modifier)
         possess(out, plural)
         phrase = phrase._replace(modifiers=())  # said before the 's
-    _after_noun(syntax, out, phrase)
+    if followed:
+        _after_noun(syntax, out, phrase)
 
 
 def _before_adjectives(
