@@ -220,7 +220,7 @@ def test_a_fault_in_the_last_of_many(tmp_path: Path) -> None:
         (b"noun: cat\nnoun: dog\n", ":2: the key 'noun' stands here a second time; remove one"),
         (b"- noun: cat\n- nuon: dog\n", ":2: [1]: nothing says what this is; give it one of: adj"),
         (b"{verb: go}", ":1: the clause with the verb 'go' has no subject; add one"),
-        (b"{noun: cat, determinr: a}", ":1: determinr: a NounPhrase has no field 'determinr'; did"),
+        (b"{noun: cat, determinr: a}", ":1: determinr: NounPhrase has no field 'determinr'; did"),
         (b"[" * 100_000, ":1: more than 2500 levels deep; nest less"),
         (b"{year: 2000, month: 13}", ":1: no calendar has year 2000, month 13; give a date of the"),
         (b'""', ":1: "),

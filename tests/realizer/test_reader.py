@@ -200,7 +200,7 @@ BAD = [
     # what it is
     Bad({}, "", NOTHING),
     Bad({"a": 1}, "", NOTHING),
-    Bad({"shared": ["a"]}, "", NOTHING),
+    Bad({"shared": ["a"]}, "shared", "'shared' without 'sentences'; put what is to be said under"),
     Bad({"weekday": True}, "", NOTHING),
     Bad({"speech": "a"}, "", NOTHING),
     Bad({"phrase": {"noun": "a"}}, "", NOTHING),
@@ -217,12 +217,10 @@ BAD = [
     Bad({"sentences": ["a", {"noun": 1}]}, "sentences[1].noun", "expected a text, found '1'; "),
     Bad(["a", ["b", {"noun": 1}]], "[1][1].noun", "expected a text, found '1'; put it in quotes"),
     # fields
-    Bad({"noun": "a", "determinr": "a"}, "determinr", "a NounPhrase has no field 'determinr'; did"),
-    Bad({"noun": "a", "xyz": 1}, "xyz", "a NounPhrase has no field 'xyz'; choose from: adjectives"),
-    Bad({"noun": "a", "verb": "go"}, "verb", "a NounPhrase has no field 'verb'; "),
-    Bad(
-        {"verb": "go", "subjct": "a"}, "subjct", "a Clause has no field 'subjct'; did you mean sub"
-    ),
+    Bad({"noun": "a", "determinr": "a"}, "determinr", "NounPhrase has no field 'determinr'; did"),
+    Bad({"noun": "a", "xyz": 1}, "xyz", "NounPhrase has no field 'xyz'; choose from: adjectives"),
+    Bad({"noun": "a", "verb": "go"}, "verb", "NounPhrase has no field 'verb'; "),
+    Bad({"verb": "go", "subjct": "a"}, "subjct", "Clause has no field 'subjct'; did you mean sub"),
     Bad({"body": "a", "connectiv": "b"}, "connectiv", "has no field 'connectiv'; did you mean con"),
     Bad(
         {"verb": "go", "subject": {"noun": "a", "relative": {"clause": {"vreb": "go"}}}},
@@ -342,7 +340,7 @@ BAD = [
     Bad({"verb": "go", "question": ["who"]}, "question", "expected a Question, found a list; "),
     Bad({"verb": "go", "quotation": 1}, "quotation", "expected a text or a Quotation, found '1'; "),
     Bad({"verb": "go", "quotation": ["a"]}, "quotation", "a text or a Quotation, found a list; "),
-    Bad({"verb": "go", "quotation": {"verb": "go"}}, "quotation.verb", "a Quotation has no field"),
+    Bad({"verb": "go", "quotation": {"verb": "go"}}, "quotation.verb", "Quotation has no field"),
     Bad(
         {"verb": "go", "subordinates": ["if so"]}, "subordinates[0]", "a Subordinate, found 'if so'"
     ),
@@ -414,7 +412,6 @@ UNSAID = [
     # nothing to say
     Bad("", "", "; "),
     Bad({"body": ""}, "body", "; "),
-    Bad({"verb": "", "subject": "a"}, "verb", "; "),
     Bad({"adjective": ""}, "adjective", "; "),
     Bad({"items": []}, "items", "; "),
     Bad({"items": [""]}, "items[0]", "; "),
@@ -443,7 +440,13 @@ def leads_to(path: str, message: str) -> bool:
 
 
 BLANKS: tuple[Any, ...] = (
-    *(" ", {"verb": " ", "subject": "a"}, {"noun": " "}, {"verb": "go", "subject": ""}),
+    *(
+        " ",
+        {"verb": " ", "subject": "a"},
+        {"verb": "", "subject": "a"},
+        {"noun": " "},
+        {"verb": "go", "subject": ""},
+    ),
     *({"verb": "go", "subject": {"parts": []}}, {"verb": "see", "subject": "a", "object": ""}),
     *({"verb": "see", "subject": "a", "adverbs": [""]}, {"noun": "a", "adjectives": [""]}),
     *({"preposition": "", "object": "a"}, {"body": "a", "openers": [{"text": ""}]}),
@@ -473,7 +476,7 @@ def test_truth_values_are_named_as_they_are_written() -> None:
 @pytest.mark.parametrize(
     ("content", "line", "message"),
     [
-        ("noun: cat\n\n# more\ndeterminr: a\n", 4, "determinr: a NounPhrase has no field 'determi"),
+        ("noun: cat\n\n# more\ndeterminr: a\n", 4, "determinr: NounPhrase has no field 'determi"),
         ("- a\n- noun: cat\n  adjectives:\n    - big\n    - 7\n", 5, "[1].adjectives[1]: expected"),
         ("- a\n-\n- b\n", 2, "[1]: expected a phrase, found nothing; "),
         ("verb: go\nsubject:\n  noun:\n    7\n", 4, "subject.noun: expected a text, found '7'; "),
@@ -486,7 +489,7 @@ def test_truth_values_are_named_as_they_are_written() -> None:
         (
             "shared: &a {noun: cat}\nsentences:\n  - *a\n  - {<<: *a,\n     nown: 1}\n",
             5,
-            "].nown: a",
+            "].nown: ",
         ),
         ("shared: [&a {noun: 5}]\nsentences:\n  - *a\n", 1, "sentences[0].noun: expected a text, "),
         (
@@ -757,6 +760,10 @@ LEVELS: dict[str, Callable[[Any], Any]] = {
         **{"verb": "go", "mood": "interrogative", "question": {"phrase": x}}
     },
     "Quotation.speech": lambda x: _speech({"body": x}),
+    "Quotation.rest": lambda x: {
+        **{"verb": "say", "subject": "a"},
+        "quotation": {"speech": "Well", "first": True, "rest": {"body": x}},
+    },
     "Sentence.body": lambda x: _speech({"body": {"items": [x]}}),
     "Sentence.joined": lambda x: _speech(
         {"body": "a", "joined": [{"conjunction": "and", "body": _going(x)}]}
@@ -870,7 +877,7 @@ def test_the_deepest() -> None:
     [("[", "]"), ('{"noun": "a", "possessor": ', "}"), ("{a: ", "}"), ("- ", ""), ("? ", "")],
 )
 def test_nested_100000_deep(start: str, end: str, name: str) -> None:
-    for times in (1000, 2400, 100_000):
+    for times in (2400, 100_000):
         for content in (start * times, start * times + "1" + end * times):
             message = refusal(content, name)
             assert re.search("levels deep; nest less$|not valid|a key is no single word", message)
@@ -975,7 +982,7 @@ def test_case_files_can_be_spoilt(stem: str) -> None:
     assert len(say(SPOILABLE[stem])) > 10
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=120, deadline=None)
 @given(data=st.data())
 def test_spoilt_files_are_read_or_refused(data: st.DataObject) -> None:
     stem = data.draw(st.sampled_from(sorted(SPOILABLE)))
@@ -983,7 +990,7 @@ def test_spoilt_files_are_read_or_refused(data: st.DataObject) -> None:
     read_or_refused(content.decode("utf-8", errors="replace"), "spec.yaml")
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=120, deadline=None)
 @given(data=st.data())
 def test_spoilt_json_is_read_or_refused(data: st.DataObject) -> None:
     stem = data.draw(st.sampled_from(sorted(CASES_AS_JSON)))
@@ -1082,7 +1089,7 @@ _SCALARS = st.none() | st.booleans() | st.integers() | st.floats() | st.text()
 _KEYS = st.sampled_from(sorted({name for fields in FIELDS.values() for name in fields})) | st.text()
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=150, deadline=None)
 @given(st.recursive(_SCALARS, lambda x: st.lists(x) | st.dictionaries(_KEYS, x), max_leaves=8))
 def test_any_data_is_read_or_refused(data: Any) -> None:
     """Data that has nothing to do with specifications, as JSON and as Python values."""
@@ -1105,13 +1112,20 @@ def test_any_text_is_read_or_refused(content: str) -> None:
 KINDS: tuple[Any, ...] = tuple(FIELDS)
 
 
+def needs(kind: Any) -> dict[str, Any]:
+    """Return some value for each feature that a type cannot do without."""
+    given: dict[str, Any] = {each: "a" for each in kind._fields if each not in kind._field_defaults}
+    # Of these a type may ask for more than one word.
+    return given | {each: ("a",) for each in ("items", "parts") if each in given}
+
+
 @pytest.mark.parametrize("kind", KINDS, ids=lambda kind: str(kind.__name__))
 def test_misspelt_features(kind: Any) -> None:
     """A feature that does not exist is an error as soon as it is written, with the nearest name."""
     for name in kind._fields:
         wrong = f"{name}x"
         with pytest.raises(SpecificationError) as caught:
-            kind(**{wrong: "a"})
+            kind(**{**needs(kind), wrong: "a"})
         check_message(caught.value)
         start = f"{kind.__name__} has no feature '{wrong}'; did you mean "
         assert str(caught.value).startswith(start)
@@ -1146,7 +1160,7 @@ LITERALS = [
 )
 def test_wrong_literal_values(kind: Any, name: str) -> None:
     """A value that a feature cannot have is an error as soon as it is written."""
-    needed = {each: "a" for each in kind._fields if each not in kind._field_defaults}
+    needed = needs(kind)
     for value in ("zz", "", None, 7, ["plural"], {}, NounPhrase("a"), object()):
         with pytest.raises(SpecificationError) as caught:
             kind(**{**needed, name: value})
@@ -1260,9 +1274,9 @@ UNSAYABLE: list[tuple[Callable[[], Any], str]] = [
         lambda: NounPhrase("a", relative=Relative(Coordination(("a", "b")))),
         "relative.clause",
     ),
-    (lambda: Coordination(()), "items"),
-    (lambda: Text(()), "parts"),
-    (lambda: Clause("", "a"), "verb"),
+    (lambda: Coordination(()), ""),
+    (lambda: Text(()), ""),
+    (lambda: AdjectivePhrase(""), ""),
     (lambda: Numeral(float("nan")), "nan cannot be said; give a finite number"),
     (lambda: Numeral(1.5, ordinal=True), ""),
     (lambda: made({"noun": "a"})._replace(ordinal=1.5), "ordinal: expected a whole number"),

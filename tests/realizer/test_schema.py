@@ -104,8 +104,8 @@ def test_it_rejects_every_wrong_type(kind: Any, name: str) -> None:
     least, embed, _ = data_of(kind)
     assert VALIDATOR.is_valid(embed(least))
     values: tuple[Any, ...] = (
-        *(None, True, 7, 1.5, "zz", [], ["zz"], [7], [None], {}, {"zz": 1}, [{}], [[]]),
-        *(["subject"], "plural", 1, {"noun": "a"}, {"verb": "go"}, [{"noun": "a"}]),
+        *(None, True, 7, 1.5, "zz", [], ["zz"], [7], {}, {"zz": 1}, [[]]),
+        *(["subject"], {"noun": "a"}, {"verb": "go"}),
     )
     for value in values:
         data = embed({**least, name: value})
