@@ -27,6 +27,10 @@ class DataError(PersonageError):
         super().__init__(f"{file}:{line}: {what}; {remedy}")
         self.file = file
         self.line = line
+        self._parts = (file, line, what, remedy)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return DataError, self._parts
 
 
 def shown(text: str) -> str:

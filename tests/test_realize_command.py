@@ -75,7 +75,7 @@ def test_the_example_of_the_help(file: Path) -> None:
     ran = subprocess.run(
         ["sh", "-c", shell], cwd=ROOT, env=ENVIRONMENT, capture_output=True, check=False
     )
-    assert (ran.returncode, ran.stdout, ran.stderr) == (0, b"A rabbit runs.\n", b"")
+    assert (ran.returncode, ran.stdout, ran.stderr) == (0, b"Alice runs.\n", b"")
 
 
 def test_json_files(file: Path) -> None:

@@ -8,7 +8,7 @@ import sys
 from personage_lite.errors import PersonageError
 
 HELP = "say the sentences that a YAML or JSON file specifies: the realizer alone"
-EXAMPLE = "echo '{verb: run, subject: {noun: rabbit, determiner: a}}' | personage-lite realize -"
+EXAMPLE = "echo '{verb: run, subject: Alice}' | personage-lite realize -"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:

@@ -6,6 +6,7 @@ specification is never changed, the realizer keeps no state, threads may share i
 
 from __future__ import annotations
 
+from personage_lite.errors import PersonageError
 from personage_lite.realizer.features import SpecificationError
 from personage_lite.realizer.grammar import Grammar
 from personage_lite.realizer.numerals import Date
@@ -85,7 +86,7 @@ class Realizer:
         """
         try:
             return write(self._syntax.tokens(sentence), self.grammar)
-        except (SpecificationError, *_BROKEN) as error:
+        except (PersonageError, *_BROKEN) as error:
             from personage_lite.realizer.diagnosis import diagnosed  # only a fault needs it
 
             raise diagnosed(sentence, error) from None

@@ -19,6 +19,8 @@ from personage_lite.realizer.words import countability
 # Person, and whether it is plural.
 Agreement: TypeAlias = tuple[int, bool]
 THIRD_SINGULAR: Agreement = (3, False)
+# Looked up, so that a number that is none is not taken for the singular.
+_PLURAL = {"singular": False, "plural": True}
 
 
 def agreement(phrase: Phrase | None, grammar: Grammar, inverted: bool = False) -> Agreement:
@@ -63,7 +65,7 @@ def is_plural(phrase: NounPhrase, grammar: Grammar) -> bool:
 
 def number_and_kind(phrase: NounPhrase, grammar: Grammar) -> tuple[bool, Countability]:
     """Return whether a phrase that is no pronoun is plural, and the countability of its noun."""
-    plural = phrase.number == "plural"
+    plural = _PLURAL[phrase.number]
     if phrase.determiner or phrase.predeterminer:
         before = grammar.determiners.get(phrase.predeterminer)
         forms = grammar.determiners.get(phrase.determiner)

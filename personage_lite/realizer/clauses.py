@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, get_args
 
+from personage_lite.errors import shown
 from personage_lite.realizer.agreement import THIRD_SINGULAR, Agreement, agreement
 from personage_lite.realizer.features import SpecificationError
 from personage_lite.realizer.grammar import Grammar
@@ -13,6 +14,7 @@ from personage_lite.realizer.specification import (
     Case,
     Clause,
     Coordination,
+    Mood,
     NounPhrase,
     Phrase,
     Question,
@@ -24,6 +26,8 @@ from personage_lite.realizer.verb_group import verb_group
 
 if TYPE_CHECKING:
     from personage_lite.realizer.syntax import Syntax
+
+_MOODS = frozenset(get_args(Mood))
 
 
 def main_clause(
@@ -55,6 +59,8 @@ def main_clause(
         if asked is not None:
             syntax.phrase(out, asked.phrase)
         inverted = asked is None or asked.role != "subject" or clause.existential
+    if clause.mood not in _MOODS:
+        raise KeyError(clause.mood)
     if clause.mood == "imperative":
         imperative(syntax, out, clause)
     else:
@@ -275,5 +281,5 @@ def _doubled(role: str, culprit: object) -> SpecificationError:
 
 def _no_subject(clause: Clause) -> SpecificationError:
     return SpecificationError(
-        f"the clause with the verb '{clause.verb}' has no subject; add one", clause
+        f"the clause with the verb '{shown(clause.verb)}' has no subject; add one", clause
     )

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
-from personage_lite.errors import shown
-from personage_lite.realizer.features import SpecificationError, wrong_value
-from personage_lite.realizer.reader import MisreadError, Path
+from personage_lite.errors import PersonageError
+from personage_lite.realizer.features import wrong_value
+from personage_lite.realizer.reader import MisreadError, Path, found
+from personage_lite.realizer.specification import Sentence
 from personage_lite.realizer.types import DEEPEST, FIELDS, choices, described, item_type, options
+
+_SPOKEN = Sentence | FIELDS[Sentence]["body"]
 
 
 def diagnosed(sentence: object, error: Exception) -> MisreadError:
@@ -18,11 +21,12 @@ def diagnosed(sentence: object, error: Exception) -> MisreadError:
     >>> str(diagnosed(spec, TypeError("…")))
     "body.subject.noun: expected a text, found '12'; see docs/realizer.md"
     """
-    fault = _fault(sentence, type(sentence), ())
+    fault = _fault(sentence, Sentence if isinstance(sentence, Sentence) else _SPOKEN, ())
     if fault is not None:
         return fault
-    if isinstance(error, SpecificationError):
-        path = _path_to(sentence, error.culprit) if error.culprit is not None else ()
+    if isinstance(error, PersonageError):
+        culprit = getattr(error, "culprit", None)
+        path = _path_to(sentence, culprit) if culprit is not None else ()
         what, _, remedy = str(error).partition("; ")
         return MisreadError(path, what, remedy)
     what = " ".join(str(error).split()) or type(error).__name__
@@ -57,11 +61,11 @@ def _fault(value: Any, hint: Any, path: Path) -> MisreadError | None:
             return None
         elif kind is option or (option is float and kind is int):
             return None
-    what = f"expected {described(hint)}, found '{shown(str(value))}'"
+    what = f"expected {described(hint)}, found {found(value)}"
     return MisreadError(path, what, "see docs/realizer.md")
 
 
-def _parts(error: SpecificationError) -> tuple[str, str]:
+def _parts(error: PersonageError) -> tuple[str, str]:
     what, _, remedy = str(error).removeprefix("it: ").partition("; ")
     return what, remedy
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import yaml
 
-from personage_lite.errors import DataError, PersonageError
+from personage_lite.errors import DataError, PersonageError, shown
 from personage_lite.realizer import Phrase, Realizer, Sentence
 from personage_lite.realizer.reader import MisreadError, Path, path_text, read_specification
 from personage_lite.realizer.types import DEEPEST
@@ -46,7 +46,7 @@ def _specifications(data: Any) -> list[tuple[Path, Any]]:
     if isinstance(data, dict) and _SENTENCES in data:
         for key in data:
             if key not in (_SHARED, _SENTENCES):
-                what = f"unknown field '{key}' beside '{_SENTENCES}'"
+                what = f"unknown field '{shown(key)}' beside '{_SENTENCES}'"
                 raise MisreadError((key,), what, f"put it under '{_SHARED}'")
         data, path = data[_SENTENCES], (_SENTENCES,)
     elif isinstance(data, dict) and _SHARED in data:
@@ -73,20 +73,26 @@ def read_data(path: str) -> Any:
 
 def _parse(content: str, name: str) -> tuple[Any, yaml.Node | None]:
     """Return a file's plain data, and for YAML the nodes that know the lines."""
+    doubled = ""
     if content.lstrip()[:1] in ("{", "["):
         try:
             return json.loads(content, object_pairs_hook=_unique), None
         except _DoubledKeyError as error:
-            raise PersonageError(f"{name}: the key '{error}' stands twice; remove one") from None
+            doubled = str(error)
         except json.JSONDecodeError as error:
             if name.endswith(".json"):
                 what = f"not valid JSON ({error.msg})"
                 raise DataError(name, error.lineno, what, "mend the syntax") from None
+        except ValueError:
+            raise PersonageError(f"{name}: a number is too long; write it in quotes") from None
         except RecursionError:
             pass
         # YAML in flow style, or so deep that the path to it has to be found.
     node = compose(content, name, _DEEPEST)
-    return plain(node, name, (), {}), node
+    data = plain(node, name, (), {})
+    if doubled:
+        raise PersonageError(f"{name}: the key '{shown(doubled)}' stands twice; remove one")
+    return data, node
 
 
 class _DoubledKeyError(Exception):
@@ -101,23 +107,26 @@ def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     return found
 
 
-def plain(node: yaml.Node, name: str, path: Path, done: dict[int, Any]) -> Any:
+def plain(
+    node: yaml.Node, name: str, path: Path, done: dict[int, Any], around: tuple[int, ...] = ()
+) -> Any:
     """Return a YAML value as plain data; `<<` takes over the keys of another mapping.
 
     Words that YAML 1.1 takes for truth values (no, yes, on) stay words; only true and false are
     truth values. What is `done` is not made again, so that an anchor's value inside itself stays
-    recognizable.
+    recognizable; `around` is what a value stands in.
     """
     if id(node) in done:
         return done[id(node)]
     if len(path) > 2 * DEEPEST:
         what = f"{path_text(path)}: more than {DEEPEST} levels deep"
         raise DataError(name, _line_of(node), what, "nest less")
+    around = (*around, id(node))
     if isinstance(node, yaml.SequenceNode):
         items: list[Any] = []
         done[id(node)] = items
         for index, item in enumerate(node.value):
-            items.append(plain(item, name, (*path, index), done))
+            items.append(plain(item, name, (*path, index), done, around))
         return items
     if not isinstance(node, yaml.MappingNode):
         return _scalar(node)
@@ -129,16 +138,19 @@ def plain(node: yaml.Node, name: str, path: Path, done: dict[int, Any]) -> Any:
             raise DataError(name, _line_of(key), "a key is no single word", "write 'key: value'")
         if key.tag == _MERGE:
             for one in value.value if isinstance(value, yaml.SequenceNode) else (value,):
-                taken = plain(one, name, (*path, "<<"), done)
+                if id(one) in around:
+                    what = f"{path_text((*path, '<<'))}: this contains itself"
+                    raise DataError(name, _line_of(key), what, "write it out, or leave it out")
+                taken = plain(one, name, (*path, "<<"), done, around)
                 if not isinstance(taken, dict):
                     what = "'<<' takes over no mapping"
                     raise DataError(name, _line_of(key), what, "name one, as in '<<: *alice'")
                 merged = {**taken, **merged}
         elif key.value in found:
-            what = f"the key '{key.value}' stands here a second time"
+            what = f"the key '{shown(key.value)}' stands here a second time"
             raise DataError(name, _line_of(key), what, "remove one of the two")
         else:
-            found[key.value] = plain(value, name, (*path, key.value), done)
+            found[key.value] = plain(value, name, (*path, key.value), done, around)
     for each, taken in merged.items():
         found.setdefault(each, taken)
     return found

@@ -4,8 +4,9 @@
 # that is a string, which took a tenth of the time to the first utterance.
 
 from os import PathLike
-from typing import NamedTuple
+from typing import NamedTuple, get_args
 
+from personage_lite.errors import PersonageError, shown
 from personage_lite.realizer.article import ArticleSounds, read_article_sounds
 from personage_lite.realizer.inflection import Dialect, Inflection, read_inflection
 from personage_lite.realizer.numerals import NumberWords, read_numerals
@@ -127,6 +128,9 @@ def load_grammar(
 
     Raises `DataError` for a missing table, an unknown one or a word that is not text.
     """
+    if dialect not in get_args(Dialect):
+        remedy = f"choose from: {', '.join(get_args(Dialect))}"
+        raise PersonageError(f"no dialect '{shown(str(dialect))}'; {remedy}")
     inflection = read_inflection(read_yaml(f"{folder}/inflection.yaml"), dialect)
     numerals = read_numerals(read_yaml(f"{folder}/numerals.yaml"), dialect)
     sounds = read_article_sounds(read_yaml(f"{folder}/articles.yaml"), dialect)

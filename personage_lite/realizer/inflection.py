@@ -139,6 +139,9 @@ def read_inflection(node: Node, dialect: Dialect = "british") -> Inflection:
     plurals |= {word: f"{word}s" for word in tables.words("regular_plurals")}
     plurals |= compounds
     plurals |= tables.pairs("irregular_plurals")
+    periphrastic = node.need("periphrastic_degrees")
+    if "positive" not in tables.triples("periphrastic_degrees"):
+        raise periphrastic.fault("no line for 'positive'", "write '  positive more most'")
     more, most = tables.triples("periphrastic_degrees")["positive"]
     inflection = Inflection(
         verbs=tables.triples("irregular_verbs"),

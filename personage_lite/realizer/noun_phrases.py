@@ -12,7 +12,7 @@ from personage_lite.realizer.grammar import LIMITING, OPINION, UNLISTED, Grammar
 from personage_lite.realizer.inflection import Countability
 from personage_lite.realizer.numerals import cardinal, ordinal
 from personage_lite.realizer.orthography import INDEFINITE
-from personage_lite.realizer.phrases import attribute, possess
+from personage_lite.realizer.phrases import attribute, number_said, possess
 from personage_lite.realizer.specification import (
     AdjectivePhrase,
     Case,
@@ -28,6 +28,9 @@ from personage_lite.realizer.words import pluralize, spell
 
 if TYPE_CHECKING:
     from personage_lite.realizer.syntax import Syntax
+
+# More is a mistake, and could fill the memory.
+_MOST_STUTTERS = 20
 
 
 def noun_phrase(
@@ -66,9 +69,9 @@ def noun_phrase(
     if len(adjectives) > 1 or (adjectives and count is not None):
         adjectives = _in_order(syntax, out, adjectives)
     if rank is not None:
-        out.append(ordinal(rank, grammar.numerals, figures))
+        out.append(number_said(ordinal, rank, phrase, figures, grammar))
     if count is not None:
-        out.append(cardinal(count, grammar.numerals, figures))
+        out.append(number_said(cardinal, count, phrase, figures, grammar))
     if kind == "pair" and takes_pair(phrase, grammar):
         pair = grammar.words.pair
         out.append(pluralize(pair, grammar.inflection) if plural else pair)
@@ -79,6 +82,9 @@ def noun_phrase(
         after = noun in grammar.indefinite_pronouns
         following = adjectives if after else _adjectives(syntax, out, adjectives)
     if noun:
+        if stuttered > _MOST_STUTTERS:
+            what = f"stutter: {stuttered} times is too often; write {_MOST_STUTTERS} at most"
+            raise SpecificationError(what, phrase)
         if stuttered and len(out) > start and out[-1] == INDEFINITE:
             out[-1] = INDEFINITE + noun  # "a f-fox"
         out.append(_noun(phrase, plural, kind, grammar))
@@ -272,17 +278,19 @@ def _relative(syntax: Syntax, out: list[str], phrase: NounPhrase, relative: Rela
         out.append(relative.word or _relative_pronoun(phrase, relative, grammar))
     said = relative.clause
     clauses = said.items if isinstance(said, Coordination) else (said,)
+    if not clauses:
+        raise SpecificationError("this joins nothing; give it items", said)
     for index, clause in enumerate(clauses):
         if index and isinstance(said, Coordination):
             out.append("," if index < len(clauses) - 1 else said.conjunction)
-        relative_clause(syntax, out, _as_clause(clause), relative, phrase)
+        relative_clause(syntax, out, _as_clause(clause, said), relative, phrase)
     out.extend(mark)
 
 
-def _as_clause(phrase: Phrase) -> Clause:
+def _as_clause(phrase: Phrase, joined: Phrase) -> Clause:
     if isinstance(phrase, Clause):
         return phrase
-    raise SpecificationError("only clauses can be joined in a relative clause; add verbs", phrase)
+    raise SpecificationError("only clauses can be joined in a relative clause; add verbs", joined)
 
 
 def _relative_pronoun(phrase: NounPhrase, relative: Relative, grammar: Grammar) -> str:

@@ -17,7 +17,8 @@
 from math import isfinite
 from typing import Literal, NamedTuple
 
-from personage_lite.errors import PersonageError
+from personage_lite.errors import PersonageError, shown
+from personage_lite.realizer.features import checked
 from personage_lite.yaml_reader import Node
 
 # What each pattern of a date puts together.
@@ -47,6 +48,7 @@ class NumberWords(NamedTuple):
     patterns: dict[str, str]  # how the parts of a date stand together
 
 
+@checked(style=Literal["figures", "words", "iso"])
 class Date(NamedTuple):
     """A day, a month, a year, or what is known of them; ISO dates show no weekday."""
 
@@ -111,6 +113,8 @@ def cardinal(number: int | float, words: NumberWords, figures: bool = False) -> 
 
 def ordinal(number: int, words: NumberWords, figures: bool = False) -> str:
     """Return an ordinal in words, or in figures; beyond the largest scale always in figures."""
+    if number != int(number):
+        raise PersonageError(f"{number} is no place in a row; give a whole number")
     if figures or abs(number) >= words.limit:
         # The mark is the end of the word: first, 1st.
         return f"{number:,}{ordinal(abs(number) % 100, words)[-2:]}"
@@ -126,6 +130,8 @@ def date_text(date: Date, words: NumberWords) -> str:
     """
     name = words.weekdays[_weekday(date)]
     year, month, day, weekday, style = date
+    if style not in ("figures", "words", "iso"):
+        raise PersonageError(f"'{shown(str(style))}' is no style; write figures, words or iso")
     if style == "iso":
         first = "-" if year is None else f"{year:04}"
         return "-".join((first, *(f"{part:02}" for part in (month, day) if part)))
@@ -191,7 +197,7 @@ def _weekday(date: Date) -> int:
         # What is not known is filled in from a year that has a 29 February.
         known = zip((year, month, day), (2000, 1, 1), strict=True)
         return calendar(*(default if part is None else part for part, default in known)).weekday()
-    except ValueError:
+    except (ValueError, OverflowError):
         parts = (("year", year), ("month", month), ("day", day))
         given = ", ".join(f"{name} {part}" for name, part in parts if part is not None)
         raise PersonageError(f"no calendar has {given}; give a date of the years 1-9999") from None

@@ -60,7 +60,23 @@ def write(tokens: list[str], grammar: Grammar) -> str:
     if not written:
         raise SpecificationError("there is nothing to say; give it words")
     text = " ".join(written)
+    if "  " in text or text[0] == " " or not text.isprintable():
+        text = _cleaned(text)
     return text.replace("'", "’") if grammar.curly_apostrophes else text
+
+
+def _cleaned(text: str) -> str:
+    """Return a text in which blanks of any kind are single ones; refuse what cannot be printed."""
+    text = " ".join(text.split())
+    for mark in ",.!?…":
+        text = text.replace(f" {mark}", mark)
+    # Blanks that do not break a line are no harm.
+    strange = next((sign for sign in text if not (sign.isprintable() or sign.isspace())), None)
+    if strange is not None:
+        raise SpecificationError(f"{strange!a} cannot be printed; leave it out")
+    if not text.strip(".!?…"):
+        raise SpecificationError("there is nothing to say; give it words")
+    return text
 
 
 def abbreviated(words: str, grammar: Grammar) -> bool:

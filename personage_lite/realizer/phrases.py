@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
 
 from personage_lite.errors import PersonageError
 from personage_lite.realizer.clauses import main_clause
 from personage_lite.realizer.features import SpecificationError
-from personage_lite.realizer.numerals import Date, cardinal, date_text, ordinal
+from personage_lite.realizer.grammar import Grammar
+from personage_lite.realizer.numerals import Date, NumberWords, cardinal, date_text, ordinal
 from personage_lite.realizer.orthography import MARKS
 from personage_lite.realizer.specification import (
     AdjectivePhrase,
@@ -65,8 +67,10 @@ def attribute(syntax: Syntax, out: list[str], phrase: AdjectivePhrase) -> None:
     elif phrase.degree == "equative":
         out.append(syntax.grammar.words.equative)
         out.append(adjective)
-    else:
+    elif phrase.degree in ("comparative", "superlative"):
         out.append(inflect_adjective(adjective, phrase.degree, inflection))
+    else:
+        raise KeyError(phrase.degree)
 
 
 def after_adjective(syntax: Syntax, out: list[str], phrase: AdjectivePhrase) -> None:
@@ -89,11 +93,22 @@ def prepositional_phrase(
 
 def numeral(syntax: Syntax, out: list[str], phrase: Numeral, case: Case = "objective") -> None:
     """Add a number by itself."""
-    numerals = syntax.grammar.numerals
-    if phrase.ordinal:
-        out.append(ordinal(int(phrase.value), numerals, phrase.figures))
-    else:
-        out.append(cardinal(phrase.value, numerals, phrase.figures))
+    form = ordinal if phrase.ordinal else cardinal
+    out.append(number_said(form, phrase.value, phrase, phrase.figures, syntax.grammar))
+
+
+def number_said(
+    form: Callable[[Any, NumberWords, bool], str],
+    number: float,
+    phrase: Phrase,
+    figures: bool,
+    grammar: Grammar,
+) -> str:
+    """Return a number as a cardinal or an ordinal; `phrase` is where errors say that it stands."""
+    try:
+        return form(number, grammar.numerals, figures)
+    except PersonageError as error:
+        raise SpecificationError(str(error), phrase) from None
 
 
 def date(syntax: Syntax, out: list[str], phrase: Date, case: Case = "objective") -> None:

@@ -213,6 +213,8 @@ def quoted(syntax: Syntax, quotation: str | Sentence | Quotation) -> str:
     speech = quotation.speech if isinstance(quotation, Quotation) else quotation
     if isinstance(speech, Sentence):
         speech = write(syntax.tokens(speech), syntax.grammar)
+    if not isinstance(speech, str):
+        raise TypeError("speech that is no text")
     return f"“{_inner(speech)}”"
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from types import NoneType
-from typing import Any
+from typing import Any, NamedTuple
 
 from personage_lite.errors import nearest, shown
 from personage_lite.realizer.features import SpecificationError
@@ -20,6 +20,8 @@ from personage_lite.realizer.types import (
 )
 
 Path = tuple[str | int, ...]
+# An anchor of anchors can stand for more values than there is memory for.
+_MOST_VALUES = 100_000
 _SPOKEN = Sentence | FIELDS[Sentence]["body"]
 
 
@@ -33,7 +35,7 @@ def path_text(path: Path) -> str:
         return f"{path_text(path[:6])}…{path_text(path[-3:])}"
     text = ""
     for step in path:
-        text += f"[{step}]" if isinstance(step, int) else f".{step}"
+        text += f"[{step}]" if isinstance(step, int) else f".{shown(step)}"
     return text.removeprefix(".")
 
 
@@ -48,6 +50,9 @@ class MisreadError(SpecificationError):
         place = f"{path_text(path)}: " if path else ""
         super().__init__(f"{place}{what}; {remedy}")
         self.path, self.what, self.remedy = path, what, remedy
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return MisreadError, (self.path, self.what, self.remedy)
 
     def inside(self, path: Path) -> MisreadError:
         """Return the same fault, with the path to what holds the specification before its own."""
@@ -66,18 +71,28 @@ def read_specification(data: object, path: Path = ()) -> Sentence | Phrase:
     >>> english().realize(read_specification(run))
     'A rabbit ran.'
     """
-    found: Sentence | Phrase = _read(data, _SPOKEN, path, ())
+    found: Sentence | Phrase = _read(data, _SPOKEN, path, _Around((), [_MOST_VALUES]))
     return found
 
 
-def _read(data: Any, hint: Any, path: Path, around: tuple[int, ...]) -> Any:
-    """Read a value of a type; `around` are the identities of the values that it stands in."""
+class _Around(NamedTuple):
+    """The identities of the values that a value stands in, and how many more may be read."""
+
+    values: tuple[int, ...]
+    left: list[int]
+
+
+def _read(data: Any, hint: Any, path: Path, around: _Around) -> Any:
+    """Read a value of a type."""
     if isinstance(data, dict | list):
-        if id(data) in around:
+        if id(data) in around.values:
             raise MisreadError(path, "this contains itself", "write it out, or leave it out")
-        if len(around) >= DEEPEST:
+        if len(around.values) >= DEEPEST:
             raise MisreadError(path, f"more than {DEEPEST} levels deep", "nest less")
-        around = (*around, id(data))
+        around.left[0] -= 1
+        if around.left[0] < 0:
+            raise MisreadError(path, f"more than {_MOST_VALUES:,} values", "say less at once")
+        around = around._replace(values=(*around.values, id(data)))
     able = options(hint)
     if isinstance(data, dict):
         return _mapping(data, able, path, around)
@@ -86,7 +101,7 @@ def _read(data: Any, hint: Any, path: Path, around: tuple[int, ...]) -> Any:
     return _scalar(data, hint, path)
 
 
-def _mapping(data: dict[Any, Any], able: tuple[Any, ...], path: Path, around: Any) -> Any:
+def _mapping(data: dict[Any, Any], able: tuple[Any, ...], path: Path, around: _Around) -> Any:
     kinds = [kind for kind in able if kind in MARKS]
     if not kinds:
         raise _unfit(data, able, path)
@@ -115,7 +130,7 @@ def _mapping(data: dict[Any, Any], able: tuple[Any, ...], path: Path, around: An
     return kind(**values)
 
 
-def _list(data: list[Any], able: tuple[Any, ...], path: Path, around: Any) -> Any:
+def _list(data: list[Any], able: tuple[Any, ...], path: Path, around: _Around) -> Any:
     for option in able:
         # A list of phrases and words where a phrase is wanted is a text.
         inner = FIELDS[Text]["parts"] if option is Text else option
@@ -134,13 +149,17 @@ def _list(data: list[Any], able: tuple[Any, ...], path: Path, around: Any) -> An
 
 def _scalar(data: Any, hint: Any, path: Path) -> Any:
     able = options(hint)
+    if isinstance(data, str) and not data.isprintable():
+        strange = next((sign for sign in data if not (sign.isprintable() or sign.isspace())), None)
+        if strange is not None:
+            raise MisreadError(path, f"{strange!a} cannot be printed", "leave it out")
     for option in able:
         allowed = choices(option)
         if allowed:
             if any(data == each and type(data) is type(each) for each in allowed):
                 return data
             if len(able) == 1:
-                what = f"'{shown(str(data))}' is not possible here"
+                what = f"{found(data)} is not possible here"
                 raise MisreadError(path, what, nearest(str(data), map(str, allowed)))
         elif option is Text and isinstance(data, str):
             return Text((data,))
@@ -150,14 +169,26 @@ def _scalar(data: Any, hint: Any, path: Path) -> Any:
 
 
 def _unfit(data: Any, able: tuple[Any, ...], path: Path) -> MisreadError:
-    found = {dict: "a mapping", list: "a list", NoneType: "nothing"}.get(
-        type(data), f"'{shown(str(data))}'"
-    )
     expected = described(able[0] if len(able) == 1 else _union(able))
-    remedy = "put it in quotes" if str in able else "see docs/realizer.md"
+    quoted = str in able and isinstance(data, bool | int | float)
+    remedy = "put it in quotes" if quoted else "see docs/realizer.md"
     if any(item_type(option) for option in able):
         remedy = "write it as a list, [ … ]"
-    return MisreadError(path, f"expected {expected}, found {found}", remedy)
+    return MisreadError(path, f"expected {expected}, found {found(data)}", remedy)
+
+
+def found(data: object) -> str:
+    """Return what a message calls a value that does not belong where it stands.
+
+    >>> found(True), found([1])
+    ("'true'", 'a list')
+    """
+    if isinstance(data, bool):
+        return f"'{str(data).lower()}'"
+    if isinstance(data, str | int | float):
+        return f"'{shown(str(data))}'"
+    names = {dict: "a mapping", list: "a list", tuple: "a tuple", NoneType: "nothing"}
+    return names.get(type(data)) or f"a value of type {type(data).__name__}"
 
 
 def _union(able: tuple[Any, ...]) -> Any:

@@ -37,7 +37,9 @@ def schema() -> dict[str, Any]:
         "$defs": {
             **{kind.__name__: _object(kind) for kind in MARKS},
             # Fixed words: a string, or a list of words and phrases.
-            _WORDS: {"anyOf": [_reference(Text), {"type": "string"}, _type(_PARTS)]},
+            _WORDS: {
+                "anyOf": [_reference(Text), {"type": "string"}, {**_type(_PARTS), "minItems": 1}]
+            },
         },
     }
 

@@ -115,12 +115,14 @@ class Cased(NamedTuple):
     case: Case = "objective"
 
 
+@checked()
 class Text(NamedTuple):
     """Fixed words with phrases between them: "a present for", [her], "birthday"."""
 
     parts: "tuple[Cased | Phrase, ...]"
 
 
+@checked()
 class PrepositionalPhrase(NamedTuple):
     """A preposition and its object: "by the cards", "without asking", "with her"."""
 
@@ -128,6 +130,7 @@ class PrepositionalPhrase(NamedTuple):
     object: "Phrase"
 
 
+@checked()
 class Numeral(NamedTuple):
     """A number by itself, as words or figures: "forty-two", "42", "first"."""
 
@@ -136,6 +139,7 @@ class Numeral(NamedTuple):
     figures: bool = False
 
 
+@checked()
 class Coordination(NamedTuple):
     """Several phrases or clauses joined: "kind, curious and brave".
 
@@ -163,6 +167,7 @@ class Question(NamedTuple):
     preposition: str = ""
 
 
+@checked()
 class Quotation(NamedTuple):
     """Direct speech; `first` puts it before its clause, `inverted` the verb before the subject.
 
@@ -176,6 +181,7 @@ class Quotation(NamedTuple):
     rest: "str | Sentence" = ""
 
 
+@checked()
 class Subordinate(NamedTuple):
     """An adverbial clause and its conjunction: "because she has to know", "before leaving"."""
 
@@ -255,6 +261,7 @@ Phrase: TypeAlias = (
 )
 
 
+@checked()
 class Embedded(NamedTuple):
     """A clause inside a fixed main clause: "I think" (that) "she is kind".
 
@@ -268,6 +275,7 @@ class Embedded(NamedTuple):
     inner_tag: bool = True
 
 
+@checked()
 class Joined(NamedTuple):
     """A clause joined to what comes before it; with `shared_subject` it leaves its own unsaid."""
 
@@ -276,6 +284,7 @@ class Joined(NamedTuple):
     shared_subject: bool = False
 
 
+@checked()
 class Opener(NamedTuple):
     """Words before a sentence and the mark after them: "Oh" "," or "I see" "!"."""
 
@@ -283,6 +292,7 @@ class Opener(NamedTuple):
     mark: str = ","
 
 
+@checked()
 class Sentence(NamedTuple):
     """One sentence: coordinated clauses and all that speech puts around them.
 

@@ -11,6 +11,8 @@ from personage_lite.realizer.words import VerbForm, inflect_verb, spell
 
 # A verb, the words after it, and the form it gives the next verb: be, going to, base.
 _Link = tuple[str, tuple[str, ...], VerbForm]
+# Looked up, so that a tense that is none is not taken for the present.
+_PAST = {"present": False, "past": True, "future": False}
 _FORMS: dict[str, VerbForm] = {
     "finite": "base",  # of an imperative
     "infinitive": "base",
@@ -49,7 +51,7 @@ def verb_group(
     >>> group.finite, group.rest
     ('had', ['to', 'sing'])
     """
-    past = clause.tense == "past"
+    past = _PAST[clause.tense]
     words = grammar.words
     modal = clause.modal
     plain = not (modal or clause.perfect or clause.progressive or clause.passive)

@@ -539,7 +539,11 @@ def test_lines(content: str, line: int, message: str) -> None:
         ("{'noun': 'a'}", 1, "not valid JSON (Expecting property name enclosed in double quotes"),
         ('["a\n"]', 1, "not valid JSON (Invalid control character at); mend the syntax"),
         ('["\\x"]', 1, "not valid JSON (Invalid \\escape); mend the syntax"),
-        ('[\n"a",\n{"noun": "a", "noun": "b"}]', None, "'noun' stands twice; remove one"),
+        (
+            '[\n"a",\n{"noun": "a", "noun": "b"}]',
+            3,
+            "the key 'noun' stands here a second time; remove one of the two",
+        ),
         ('["a", {"value": NaN}]', None, "[1]"),
         ('["a", {"value": -Infinity}]', None, "[1]"),
         ('["a", {"value": 1e999}]', None, "[1]"),
@@ -1233,16 +1237,19 @@ def heard(spec: Any) -> str:
 
 
 UNSAYABLE: list[tuple[Callable[[], Any], str]] = [
-    (lambda: None, "expected a phrase, found 'None'; "),
+    (lambda: None, "expected a phrase, found nothing; "),
     (lambda: 7, "expected a phrase, found '7'; "),
-    (list, "expected a phrase, found '[]'; "),
-    (tuple, "expected a phrase, found '()'; "),
-    (lambda: ("a",), "expected a phrase, found '('a',)'; "),
-    (lambda: {"noun": "cat"}, "expected a phrase, found '{'noun': 'cat'}'; "),
-    (lambda: b"cat", "expected a phrase, found 'b'cat''; "),
-    (lambda: made({"body": "a"})._replace(body=None), "body: expected a phrase, found 'None'; "),
-    (lambda: Sentence(Any), "body: expected a phrase, found 'typing.Any'; "),  # type: ignore[arg-type]
-    (lambda: Sentence(made({"body": "a"})), "body: expected a phrase, found 'Sentence("),
+    (list, "expected a phrase, found a list; "),
+    (tuple, "expected a phrase, found a tuple; "),
+    (lambda: ("a",), "expected a phrase, found a tuple; "),
+    (lambda: {"noun": "cat"}, "expected a phrase, found a mapping; "),
+    (lambda: b"cat", "expected a phrase, found a value of type bytes; "),
+    (lambda: made({"body": "a"})._replace(body=None), "body: expected a phrase, found nothing; "),
+    (lambda: Sentence(Any), "body: expected a phrase, found a value of type "),  # type: ignore[arg-type]
+    (
+        lambda: Sentence(made({"body": "a"})),
+        "body: expected a phrase, found a value of type Sentence",
+    ),
     (lambda: Clause("run"), "the clause with the verb 'run' has no subject; add one"),
     (
         lambda: Clause("say", "a", object=Clause("run")),
