@@ -12,7 +12,8 @@ from personage_lite.facts import Character
 from personage_lite.facts_reader import character_files, read_character
 from personage_lite.generator import DEFAULT_STYLE
 from personage_lite.lexicon import Lexicon, load_lexicon, load_style
-from personage_lite.realizer import Realizer, Sentence
+from personage_lite.realizer import Realizer
+from personage_lite.realizer.reader import MisreadError
 from personage_lite.sentence_planner import PRAGMATIC_MARKERS
 
 
@@ -103,17 +104,11 @@ def _content_faults(character: Character, lexicon: Lexicon) -> list[DataError]:
                 )
             )
         seen[key] = (fact.clause.negated, fact.id)
-        modal = fact.clause.modal
-        if modal and modal not in lexicon.grammar.modals:
-            faults.append(
-                DataError(
-                    character.file,
-                    fact.line,
-                    f"'{modal}' is no modal",
-                    nearest(modal, lexicon.grammar.modals),
-                )
-            )
-        text = realizer.realize(Sentence(fact.clause))
+        try:
+            text = realizer.realize(fact.clause)
+        except MisreadError as error:
+            faults.append(DataError(character.file, fact.line, error.what, error.remedy))
+            continue
         if "  " in text or " ," in text:
             faults.append(
                 DataError(character.file, fact.line, f"'{fact.id}' reads: {text}", "mend its words")

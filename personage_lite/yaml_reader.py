@@ -272,8 +272,13 @@ def parse_yaml(content: str, name: str) -> Node:
     return Node(compose(content, name), name)
 
 
-def compose(content: str, name: str, deepest: int = _DEEPEST) -> yaml.Node:
-    """Parse YAML text into PyYAML's nodes; more levels than `deepest` are refused."""
+def compose(
+    content: str, name: str, deepest: int = _DEEPEST, page: str = "docs/facts.md"
+) -> yaml.Node:
+    """Parse YAML text into PyYAML's nodes; more levels than `deepest` are refused.
+
+    `page` is where the documentation tells what such a file holds.
+    """
     try:
         if sum(content.count(mark) for mark in _NESTING) > _HARMLESS:
             _refuse_deep_nesting(content, name, deepest)
@@ -287,7 +292,7 @@ def compose(content: str, name: str, deepest: int = _DEEPEST) -> yaml.Node:
         problem = getattr(error, "problem", None) or str(error).splitlines()[0]
         raise DataError(name, line, f"not valid YAML ({problem})", "mend the syntax") from None
     if node is None:
-        raise DataError(name, 1, "the file is empty", "see docs/ for what it holds")
+        raise DataError(name, 1, "the file is empty", f"see {page} for what it holds")
     return node
 
 

@@ -342,7 +342,7 @@ def test_bad_values(arguments: list[str], message: str) -> None:
         (["generate", "--character", "alice", "--format", "xml"], "invalid choice: 'xml' (choose"),
         (["characters", "alice"], "unrecognized arguments: alice; see personage-lite --help"),
         (["check", "facts", "lexicons"], "unrecognized arguments: lexicons; see"),
-        (["speak"], "invalid choice: 'speak' (choose from 'generate', 'characters', 'check'); see"),
+        (["speak"], "invalid choice: 'speak' (choose from 'generate', 'characters', 'realize', 'check'); see"),
         (["--loud"], "required: COMMAND; see personage-lite --help"),
     ],
 )
@@ -403,7 +403,7 @@ def test_broken_facts(content: str, line: int, message: str, tmp_path: Path) -> 
             "'no' is a truth value in YAML, not a word; put",
         ),
         ("markers.yaml", "text: damn", "text: damn, size: 1", "unknown field 'size'; "),
-        ("grammar.yaml", "modals: [can, could,", "modals: []\nx: [", "the list is empty; add"),
+        ("grammar.yaml", "negators: [not, never,", "negators: []\nx: [", "the list is empty; add"),
         ("grammar.yaml", "neuter:", "neutral:", "'neuter' is missing; add"),
         ("verbs.yaml", "[admit, 0.6,", "[admit,", "3 values; write [word, frequency"),
         ("templates.yaml", "{animate: someone,", "{animate: [", "not valid YAML"),

@@ -88,7 +88,7 @@ def _parse(content: str, name: str) -> tuple[Any, yaml.Node | None]:
         except RecursionError:
             pass
         # YAML in flow style, or so deep that the path to it has to be found.
-    node = compose(content, name, _DEEPEST)
+    node = compose(content, name, _DEEPEST, "docs/realizer.md")
     data = plain(node, name, (), {})
     if doubled:
         raise PersonageError(f"{name}: the key '{shown(doubled)}' stands twice; remove one")
