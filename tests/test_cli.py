@@ -342,7 +342,10 @@ def test_bad_values(arguments: list[str], message: str) -> None:
         (["generate", "--character", "alice", "--format", "xml"], "invalid choice: 'xml' (choose"),
         (["characters", "alice"], "unrecognized arguments: alice; see personage-lite --help"),
         (["check", "facts", "lexicons"], "unrecognized arguments: lexicons; see"),
-        (["speak"], "invalid choice: 'speak' (choose from 'generate', 'characters', 'realize', 'check'); see"),
+        (
+            ["speak"],
+            "invalid choice: 'speak' (choose from 'generate', 'characters', 'realize', 'check'); see",
+        ),
         (["--loud"], "required: COMMAND; see personage-lite --help"),
     ],
 )

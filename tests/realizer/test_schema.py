@@ -12,15 +12,12 @@ import pytest
 from personage_lite.realizer.reader import read_specification
 from personage_lite.realizer.schema import schema, schema_text
 from personage_lite.realizer.types import FIELDS, MARKS, choices, item_type, options, required
-from tests.realizer.test_reader import (
-    BAD,
-    BLANKS,
+from tests.realizer.bad_specifications import BAD, BLANKS, UNSAID, Bad
+from tests.realizer.random_data import RandomData
+from tests.realizer.reader_helpers import (
     CASE_FILES,
     EVERY_FIELD,
     FIELD_IDS,
-    UNSAID,
-    Bad,
-    RandomData,
     case_specs,
     data_of,
     takes,
