@@ -50,6 +50,10 @@ class Syntax:
         else:
             _SAY[phrase.__class__](self, out, phrase, case)
 
+    def clauses(self, out: list[str], joined: Coordination) -> None:
+        """Add clauses joined as those of a sentence are."""
+        phrases.coordination(self, out, joined, main=True)
+
     def sentence(self, sentence: Sentence) -> list[str]:
         """Return the words and marks of one sentence in order, before orthography."""
         return sentences.sentence(self, sentence)
