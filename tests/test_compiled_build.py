@@ -19,8 +19,9 @@ ASKED = os.environ.get("PERSONAGE_LITE_TEST_COMPILED") == "1"
 pytestmark = pytest.mark.skipif(
     not ASKED, reason="builds wheels, with a compiler: set PERSONAGE_LITE_TEST_COMPILED=1"
 )
-# What a user hands values to must stay Python.
-INTERPRETED = ("generator", "realizer", "realizer.specification", "realizer.syntax")
+# What users hand values to or are handed must stay Python, and what all nesting passes through.
+INTERPRETED = ("generator", "plan", "state", "realizer", "realizer.numerals")
+INTERPRETED += ("realizer.specification", "realizer.syntax")
 FILES = """\
 import importlib, sys
 for name in sys.argv[1:]:
