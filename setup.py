@@ -12,8 +12,9 @@ import sys
 from setuptools import setup
 
 # What a styled utterance spends its time in. What is not here stays interpreted:
-# - what users hand values to (`Generator`, `Realizer`, the classes of specifications): compiled
-#   code checks types at its door and would say "float object expected" before we say what is wrong;
+# - what users hand values to (`Generator`, `Realizer`, `style`, the classes of specifications):
+#   compiled code checks types at its door, and would say "float object expected" before we can say
+#   what is wrong;
 # - what users are handed (`plan`, `state`, `realizer/numerals`): mypyc forgets the annotations of
 #   named tuples, which the realizer itself reads of a date;
 # - `realizer/syntax.py`, through which all nested phrases pass, and the few functions that go down
@@ -21,7 +22,7 @@ from setuptools import setup
 #   code notices that something is nested too deep before the stack overflows;
 # - what runs once or seldom: reading files, the command line, the trace, diagnosis.
 COMPILED = (
-    *("content_planner", "operators", "randomness", "style"),
+    *("content_planner", "operators", "randomness"),
     *("sentence_planner/__init__", "sentence_planner/aggregation", "sentence_planner/assembly"),
     *("sentence_planner/cue_words", "sentence_planner/hedges", "sentence_planner/joining"),
     *("sentence_planner/lexical_choice", "sentence_planner/referring_expressions"),

@@ -70,6 +70,7 @@ def faults() -> Iterator[str]:
         {"character": "alcie"},
         {"character": "alice", "x": 3},
         {"character": "alice", "x": "much"},
+        {"character": "alice", "x": None},
         {"character": "alice", "overrides": {"verbosy": 1}},
         {"character": "alice", "overrides": {"verbosity": 2}},
         {"character": "alice", "rating": "rude"},
