@@ -15,6 +15,8 @@ REALIZER_GOAL = 10.0
 JVM_AIM = 1.0
 
 OURS, PYREALB, JVM = "personage-lite", "pyrealb", "SimpleNLG (JVM)"
+# What is added to a name where the compiled build is measured.
+COMPILED = ", compiled"
 
 
 @dataclass(frozen=True)

@@ -8,12 +8,13 @@ import os
 import platform
 import sys
 from datetime import date
+from importlib.machinery import EXTENSION_SUFFIXES
 from importlib.util import find_spec
 from pathlib import Path
 from time import perf_counter
 
 import throughput
-from report import Report, Spread
+from report import COMPILED, Report, Spread
 from sentences import SENTENCES
 from throughput import Plan
 from workers import HERE, BenchmarkError, child
@@ -40,24 +41,35 @@ START_UPS = {BARE_START: ["-c", "pass"], OUR_START: OURS, PYREALB_START: ["-c", 
 REMEMBERED = ("nothing", "styled", "realizer", "pyrealb")
 
 
-def start_up(rounds: int) -> dict[str, list[float]]:
+def start_up(rounds: int, compiled: Path | None) -> dict[str, list[float]]:
     """Return the seconds of each whole process, a value a round; a first round is not counted."""
-    seconds: dict[str, list[float]] = {name: [] for name in START_UPS}
+    processes: dict[str, tuple[list[str], Path | None]] = {
+        name: (arguments, None) for name, arguments in START_UPS.items()
+    }
+    if compiled:
+        processes[OUR_START + COMPILED] = (OURS, compiled)
+    seconds: dict[str, list[float]] = {name: [] for name in processes}
     for _ in range(rounds + 1):
-        for name, arguments in START_UPS.items():
+        for name, (arguments, package) in processes.items():
             start = perf_counter()
-            said = child(*arguments).strip()
+            said = child(*arguments, package=package).strip()
             seconds[name].append(perf_counter() - start)
             expected = SENTENCES["copula"] if name == PYREALB_START else said
-            if said != expected or (name == OUR_START and not said):
+            if said != expected or (arguments is OURS and not said):
                 raise BenchmarkError(f"{name}: unexpected text '{said}'")
     return {name: values[1:] for name, values in seconds.items()}
 
 
-def memory(counts: tuple[int, ...]) -> dict[str, list[float]]:
+def memory(counts: tuple[int, ...], compiled: Path | None) -> dict[str, list[float]]:
     """Return each subject's peak memory in MiB after so many texts, in a process of its own."""
     asked = [str(count) for count in counts]
-    return {name: json.loads(child(str(HERE / "worker.py"), name, *asked)) for name in REMEMBERED}
+    peaks: dict[str, list[float]] = {}
+    for name in REMEMBERED:
+        command = (str(HERE / "worker.py"), name, *asked)
+        peaks[name] = json.loads(child(*command))
+        if compiled and name in ("styled", "realizer"):
+            peaks[name + COMPILED] = json.loads(child(*command, package=compiled))
+    return peaks
 
 
 def machine() -> str:
@@ -79,13 +91,13 @@ def measure(plan: Plan, counts: tuple[int, ...], *, all_parts: bool) -> Report:
     times: dict[str, list[float]] = {}
     if all_parts:
         _progress("start-up")
-        times = start_up(plan.rounds)
+        times = start_up(plan.rounds, plan.compiled)
     _progress("throughput")
     measured = throughput.measure(plan)
     peaks: dict[str, list[float]] = {}
     if all_parts:
         _progress("memory")
-        peaks = memory(counts)
+        peaks = memory(counts, plan.compiled)
     return Report(
         date=date.today().isoformat(),
         machine=system,
@@ -114,6 +126,14 @@ def _rounds(text: str) -> int:
     return int(text)
 
 
+def _compiled(text: str) -> Path:
+    folder = Path(text).resolve()
+    suffixes = tuple(EXTENSION_SUFFIXES)
+    if not any(path.name.endswith(suffixes) for path in folder.glob("personage_lite/*")):
+        raise argparse.ArgumentTypeError(f"'{text}' holds no compiled personage_lite")
+    return folder
+
+
 def main(arguments: list[str] | None = None) -> int:
     """Run the command; the figures never change the exit code."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -124,6 +144,9 @@ def main(arguments: list[str] | None = None) -> int:
     )
     parser.add_argument(
         "--jar", type=Path, metavar="FILE", help="SimpleNLG's jar, instead of downloading one"
+    )
+    parser.add_argument(
+        "--compiled", type=_compiled, metavar="FOLDER", help="a folder with a compiled build too"
     )
     parser.add_argument("--format", choices=("text", "json"), default="text")
     options = parser.parse_args(arguments)
@@ -136,6 +159,7 @@ def main(arguments: list[str] | None = None) -> int:
         quick=options.quick,
         styled=not options.realizers,
         jar=options.jar,
+        compiled=options.compiled,
     )
     counts = QUICK_MEMORY_COUNTS if options.quick else MEMORY_COUNTS
     try:

@@ -14,7 +14,7 @@ from typing import Any
 
 import jvm
 from realizers import MODULES, PACKAGES
-from report import JVM, OURS, PYREALB, Rate, RealizerRate, Spread
+from report import COMPILED, JVM, OURS, PYREALB, Rate, RealizerRate, Spread
 from sentences import SENTENCES
 from subjects import MIXED, XS
 from workers import HERE, BenchmarkError, Worker
@@ -78,15 +78,16 @@ class Plan:
     quick: bool
     styled: bool
     jar: Path | None
+    compiled: Path | None
 
 
 def measure(plan: Plan) -> Measured:
     """Measure all subjects in turns; a first round warms up and is not counted."""
     with ExitStack() as stack:
 
-        def start(*command: str) -> Worker:
+        def start(*command: str, package: Path | None = None) -> Worker:
             errors = stack.enter_context(TemporaryFile("w+", encoding="utf-8"))
-            worker = Worker(command, errors)
+            worker = Worker(command, errors, package)
             stack.callback(worker.stop)
             return worker
 
@@ -95,7 +96,11 @@ def measure(plan: Plan) -> Measured:
         styled: dict[str, Subject] = {}
         if plan.styled:
             worker = str(HERE / "worker.py")
-            styled = {name: Subject(start(sys.executable, worker, name)) for name in STYLED}
+            for name in STYLED:
+                command = (sys.executable, worker, name)
+                styled[name] = Subject(start(*command))
+                if plan.compiled:
+                    styled[name + COMPILED] = Subject(start(*command, package=plan.compiled))
         alone, pairs = _subjects(realizers)
         turns = list(styled.values())
         for name, subject in alone.items():
@@ -125,9 +130,13 @@ def _realizers(
         else:
             worker = start(sys.executable, str(HERE / "realizer_worker.py"), name)
             realizers[name] = Realizer(worker, _version(package or name))
+    if plan.compiled:
+        command = (sys.executable, str(HERE / "realizer_worker.py"), OURS)
+        worker = start(*command, package=plan.compiled)
+        realizers[OURS + COMPILED] = Realizer(worker, _version(OURS))
     try:
-        command, found = jvm.prepare(plan.jar, folder, download=not plan.quick)
-        realizers[JVM] = Realizer(start(*command), found, JVM_WARM_UP_SECONDS)
+        java, found = jvm.prepare(plan.jar, folder, download=not plan.quick)
+        realizers[JVM] = Realizer(start(*java), found, JVM_WARM_UP_SECONDS)
     except jvm.MissingError as error:
         left_out[JVM] = str(error)
     for name, reason in left_out.items():

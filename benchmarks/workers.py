@@ -18,18 +18,23 @@ class BenchmarkError(Exception):
     """A measured process has failed: there is no figure."""
 
 
-def environment() -> dict[str, str]:
-    """Return the children's environment: this repository's package, bytecode kept for all."""
+def environment(package: Path | None = None) -> dict[str, str]:
+    """Return the children's environment: this repository's package, bytecode kept for all.
+
+    `package` is a folder with another build of the package, which is found instead.
+    """
     path = os.environ.get("PYTHONPATH")
-    found = os.pathsep.join([str(HERE.parent), *([path] if path else [])])
+    found = os.pathsep.join([str(package or HERE.parent), *([path] if path else [])])
     kept = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
     return {**kept, "PYTHONPATH": found}
 
 
-def child(*arguments: str) -> str:
+def child(*arguments: str, package: Path | None = None) -> str:
     """Return what a Python process with these arguments prints."""
     command = [sys.executable, *arguments]
-    done = subprocess.run(command, check=False, capture_output=True, text=True, env=environment())
+    done = subprocess.run(
+        command, check=False, capture_output=True, text=True, env=environment(package)
+    )
     if done.returncode:
         raise BenchmarkError(last_line(done.stderr) or f"{arguments[:2]}: {done.returncode}")
     return done.stdout
@@ -44,7 +49,9 @@ def last_line(text: str) -> str:
 class Worker:
     """A warm process that answers each line with a line of JSON."""
 
-    def __init__(self, command: Sequence[str], errors: IO[str]) -> None:
+    def __init__(
+        self, command: Sequence[str], errors: IO[str], package: Path | None = None
+    ) -> None:
         self._errors = errors
         # In a session of its own: Ctrl-C reaches run.py alone, which then ends its workers.
         self._process = subprocess.Popen(
@@ -54,7 +61,7 @@ class Worker:
             stderr=self._errors,
             text=True,
             encoding="utf-8",
-            env=environment(),
+            env=environment(package),
             start_new_session=True,
         )
 

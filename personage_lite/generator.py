@@ -23,9 +23,11 @@ from personage_lite.sentence_planner import PRAGMATIC_MARKERS, plan_sentences
 from personage_lite.sentence_planner.assembly import assemble
 from personage_lite.sentence_planner.templates import plain_clauses
 from personage_lite.state import ConversationState
-from personage_lite.style import check_overrides, check_x, noisy
+from personage_lite.style import Anchored, check_overrides, check_x, noisy
 
 DEFAULT_STYLE = "extraversion-v1"
+# For how many values of X the parameters are kept.
+_KEPT_X = 64
 _NEW_CONVERSATION = ConversationState()
 
 
@@ -53,8 +55,8 @@ class Generator:
         self.style = load_style(folder, style)
         self.realizer = Realizer(self.lexicon.grammar)
         self._operators = tuple(operators)
-        # The parameters at the X asked for last: most calls ask for the same one again.
-        self._anchored = (0.0, self.style.anchored(0.0))
+        # The parameters at each X asked for lately: most calls ask for one of few again.
+        self._anchored: dict[float, Anchored] = {}
         self._characters: dict[str, Character] = {}
         self._plain: dict[str, dict[str, ClausePlan]] = {}
 
@@ -107,10 +109,11 @@ class Generator:
         if rating not in RATINGS:
             raise PersonageError(f"no rating '{rating}'; choose from: {', '.join(RATINGS)}")
         draws = Draws(seed, state.turn)
-        for_x, anchored = self._anchored
-        if for_x != x:
-            anchored = self.style.anchored(x)
-            self._anchored = (x, anchored)
+        anchored = self._anchored.get(x)
+        if anchored is None:
+            if len(self._anchored) >= _KEPT_X:
+                self._anchored.clear()
+            anchored = self._anchored[x] = self.style.anchored(x)
         parameters = noisy(anchored, draws)
         if overrides:
             names = [operator.name for operator in self._operators]

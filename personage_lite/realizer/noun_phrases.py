@@ -214,17 +214,17 @@ def _comparison(syntax: Syntax, compared: Phrase) -> Phrase:
 def _governs(adjective: Phrase) -> bool:
     """Whether an adjective has to follow its noun: "a girl proud of her cat", "as brave as"."""
     if isinstance(adjective, Coordination):
-        return any(_governs(item) for item in adjective.items)
+        return any(map(_governs, adjective.items))
     return isinstance(adjective, AdjectivePhrase) and (
         adjective.complement is not None or adjective.degree == "equative"
     )
 
 
 def _rank(adjective: Phrase, order: dict[str, int]) -> int:
+    while isinstance(adjective, Coordination):
+        adjective = adjective.items[0]
     if isinstance(adjective, AdjectivePhrase):
         return order.get(adjective.adjective, UNLISTED)
-    if isinstance(adjective, Coordination):
-        return _rank(adjective.items[0], order)
     return order.get(adjective, UNLISTED) if isinstance(adjective, str) else UNLISTED
 
 
@@ -234,7 +234,7 @@ def _rank(adjective: Phrase, order: dict[str, int]) -> int:
 def _heavy(owner: Phrase) -> bool:
     """Whether an owner has too much after its noun to bear an 's."""
     if isinstance(owner, Coordination):
-        return any(_heavy(item) for item in owner.items)
+        return any(map(_heavy, owner.items))
     return (
         isinstance(owner, NounPhrase)
         and not owner.pronoun

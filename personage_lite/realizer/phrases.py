@@ -163,7 +163,7 @@ def coordination(
             also = conjunction in grammar.inverting and _said_whole(item)
             main_clause(syntax, out, item, inverted=also if index else inverted)
         elif main and isinstance(item, Coordination):
-            coordination(syntax, out, item, main=True)
+            syntax.clauses(out, item)
         elif owners and index < last:
             syntax.phrase(out, item, "objective" if joint else "possessive")
         else:
@@ -172,8 +172,8 @@ def coordination(
 
 def _said_whole(clause: Phrase) -> bool:
     """Whether a clause says its own subject and verb, so that a comma parts it from another."""
-    if isinstance(clause, Coordination):
-        return _said_whole(clause.items[0])
+    while isinstance(clause, Coordination):
+        clause = clause.items[0]
     return (
         isinstance(clause, Clause)
         and clause.form == "finite"

@@ -248,11 +248,9 @@ def _reflexive(said: Phrase, entity: str) -> Phrase:
 
 
 def _is_pronoun(phrase: Phrase | None) -> bool:
-    if isinstance(phrase, NounPhrase):
-        return phrase.pronoun or phrase.reflexive
-    if isinstance(phrase, Text) and len(phrase.parts) == 1:
+    while isinstance(phrase, Text) and len(phrase.parts) == 1:
         part = phrase.parts[0]
         if isinstance(part, Cased):
             return part.case == "reflexive" or part.phrase.pronoun
-        return _is_pronoun(part)
-    return False
+        phrase = part
+    return isinstance(phrase, NounPhrase) and (phrase.pronoun or phrase.reflexive)

@@ -51,6 +51,10 @@ class Syntax:
         else:
             _SAY[phrase.__class__](self, out, phrase, case)
 
+    def clauses(self, out: list[str], joined: Coordination) -> None:
+        """Add clauses joined as those of a sentence are."""
+        phrases.coordination(self, out, joined, main=True)
+
     def tokens(self, sentence: Sentence | Phrase) -> list[str]:
         """Return the words and marks of one sentence in order, before orthography."""
         if isinstance(sentence, Sentence):

@@ -11,6 +11,7 @@ Degree: TypeAlias = Literal["positive", "comparative", "superlative"]
 
 _VOWELS = "aeiou"
 _AEIOU = frozenset(_VOWELS)
+_AEIOUL = frozenset("aeioul")
 _AEIOUY = frozenset("aeiouy")
 # Consonants become the spaces between runs of vowels.
 _VOWELS_ALONE = {ord(letter): " " for letter in "bcdfghjklmnpqrstvwxz'.-"}
@@ -270,7 +271,7 @@ def _takes_er(word: str, inflection: Inflection) -> bool:
     rest = word.removeprefix("un")
     if rest.endswith("y"):
         stem = rest[:-1].removesuffix("e")
-        return stem[-1:] not in ("l", *_VOWELS) and _is_one_syllable(stem)
+        return stem[-1:] not in _AEIOUL and _is_one_syllable(stem)
     if rest.endswith(("le", "ow")) and not rest.endswith(("able", "ible")):
         return rest[-3:-2] not in _AEIOU and _is_one_syllable(rest[:-2])
     return False
