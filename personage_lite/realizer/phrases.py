@@ -99,7 +99,7 @@ def numeral(syntax: Syntax, out: list[str], phrase: Numeral, case: Case = "objec
 
 def number_said(
     form: Callable[[Any, NumberWords, bool], str],
-    number: float,
+    number: int | float,  # spelt out: a compiled build makes floats of all else
     phrase: Phrase,
     figures: bool,
     grammar: Grammar,
