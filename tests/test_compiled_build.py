@@ -20,8 +20,10 @@ pytestmark = pytest.mark.skipif(
     not ASKED, reason="builds wheels, with a compiler: set PERSONAGE_LITE_TEST_COMPILED=1"
 )
 # What users hand values to or are handed must stay Python, and what all nesting passes through.
-INTERPRETED = ("generator", "style", "plan", "state", "realizer", "realizer.numerals")
-INTERPRETED += ("realizer.specification", "realizer.syntax")
+INTERPRETED = (
+    *("generator", "plan", "state", "style"),
+    *("realizer", "realizer.numerals", "realizer.specification", "realizer.syntax"),
+)
 FILES = """\
 import importlib, sys
 for name in sys.argv[1:]:
