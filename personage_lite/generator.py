@@ -108,7 +108,7 @@ class Generator:
         x = check_x(x)
         if rating not in RATINGS:
             raise PersonageError(f"no rating '{rating}'; choose from: {', '.join(RATINGS)}")
-        draws = Draws(seed, state.turn)
+        draws = Draws(int(seed), state.turn)
         anchored = self._anchored.get(x)
         if anchored is None:
             if len(self._anchored) >= _KEPT_X:

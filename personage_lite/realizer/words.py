@@ -56,20 +56,20 @@ def _ends_short(word: str) -> bool:
 
 def _doubles(word: str, inflection: Inflection) -> bool:
     """Whether the last consonant doubles: stop, stopping; it does after a stressed vowel."""
-    if word in inflection.doubling:
-        return True
-    if not _ends_short(word):
-        return inflection.doubles_l and word.endswith(_HIATUS)
-    if word in inflection.not_doubling:
-        return False
-    if inflection.doubles_l and word[-1] == "l":
-        return True
-    start = word[:-3] if word[-4:-2] == "qu" else word[:-2]
-    if start[0] not in _AEIOU and _AEIOUY.isdisjoint(start[1:]):
-        return True  # one syllable; a y that begins it is a consonant
-    return word.startswith(inflection.verb_prefixes) and _doubles(
-        _without_prefix(word, inflection), inflection
-    )
+    while word not in inflection.doubling:
+        if not _ends_short(word):
+            return inflection.doubles_l and word.endswith(_HIATUS)
+        if word in inflection.not_doubling:
+            return False
+        if inflection.doubles_l and word[-1] == "l":
+            return True
+        start = word[:-3] if word[-4:-2] == "qu" else word[:-2]
+        if start[0] not in _AEIOU and _AEIOUY.isdisjoint(start[1:]):
+            return True  # one syllable; a y that begins it is a consonant
+        if not word.startswith(inflection.verb_prefixes):
+            return False
+        word = _without_prefix(word, inflection)
+    return True
 
 
 def _without_prefix(word: str, inflection: Inflection) -> str:
