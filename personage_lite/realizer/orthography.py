@@ -82,7 +82,7 @@ def _cleaned(text: str) -> str:
 def abbreviated(words: str, grammar: Grammar) -> bool:
     """Whether words end in an abbreviation, whose full stop ends no sentence: etc., a.m., U.S."""
     word = words.rstrip("”’").rsplit(" ", 1)[-1]
-    if word[-1:] != "." or ".." in word:
+    if word[-1:] != "." or ".." in word or word[:1].isdecimal():
         return False
     return (
         "." in word[:-1] or word in grammar.abbreviations or word.lower() in grammar.abbreviations

@@ -35,7 +35,7 @@ def check(text: str) -> None:
     assert text.rstrip("”’")[-1] in ".!?…", text
     # A question about what was shouted keeps both marks: “Off with her head!”?
     assert not DOUBLED.search(
-        ABBREVIATED.sub("etc", text.replace("...", "…").replace("!”?", "”?"))
+        ABBREVIATED.sub("etc", text.replace("...", "…").replace("!”?", "”?").replace("!’?", "’?"))
     ), text
     assert not SPACED.search(text), text
     assert "\x00" not in text
