@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
-from personage_lite.realizer.agreement import determiner_form, number_and_kind, takes_pair
+from personage_lite.realizer.agreement import (
+    agreement,
+    determiner_form,
+    number_and_kind,
+    takes_pair,
+)
 from personage_lite.realizer.clauses import relative_clause
 from personage_lite.realizer.features import SpecificationError
 from personage_lite.realizer.grammar import LIMITING, OPINION, UNLISTED, Grammar
@@ -19,6 +24,7 @@ from personage_lite.realizer.specification import (
     Clause,
     Coordination,
     NounPhrase,
+    Person,
     Phrase,
     PrepositionalPhrase,
     Relative,
@@ -285,6 +291,21 @@ def _relative(syntax: Syntax, out: list[str], phrase: NounPhrase, relative: Rela
             out.append("," if index < len(clauses) - 1 else said.conjunction)
         relative_clause(syntax, out, _as_clause(clause, said), relative, phrase)
     out.extend(mark)
+
+
+def relative_to_all(syntax: Syntax, out: list[str], joined: Coordination) -> None:
+    """Add a relative clause about all that is joined: "the King and the Queen, who are late"."""
+    person, plural = agreement(joined, syntax.grammar)
+    animate = any(isinstance(item, NounPhrase) and item.animate for item in joined.items)
+    all_of_them = NounPhrase(
+        "",
+        pronoun=True,
+        number="plural" if plural else "singular",
+        person=cast(Person, person),
+        animate=animate,
+    )
+    if joined.relative is not None:
+        _relative(syntax, out, all_of_them, joined.relative)
 
 
 def _as_clause(phrase: Phrase, joined: Phrase) -> Clause:

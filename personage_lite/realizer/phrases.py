@@ -168,6 +168,8 @@ def coordination(
             syntax.phrase(out, item, "objective" if joint else "possessive")
         else:
             syntax.phrase(out, item, case)
+    if phrase.relative is not None:
+        syntax.relative(out, phrase)
 
 
 def _said_whole(clause: Phrase) -> bool:

@@ -145,13 +145,15 @@ class Coordination(NamedTuple):
 
     `conjunction` "," adds by comma alone; `correlative` puts the other half of a pair before the
     first: "both … and", "either … or", "neither … nor", "not only … but also". Owners have a
-    thing in common ("Alice and Bill's house") unless `separate` ("Alice's and Bill's").
+    thing in common ("Alice and Bill's house") unless `separate` ("Alice's and Bill's"). `relative`
+    is a relative clause about all of them: "the King and the Queen, who are late".
     """
 
     items: "tuple[Phrase, ...]"
     conjunction: str = "and"
     correlative: bool = False
     separate: bool = False
+    relative: "Relative | None" = None
 
 
 @checked(role=Role)
@@ -183,11 +185,15 @@ class Quotation(NamedTuple):
 
 @checked()
 class Subordinate(NamedTuple):
-    """An adverbial clause and its conjunction: "because she has to know", "before leaving"."""
+    """An adverbial clause and its conjunction: "because she has to know", "before leaving".
+
+    `inverted` puts the auxiliary first, in place of a conjunction: "had she known".
+    """
 
     conjunction: str
     clause: "Clause"
     fronted: bool = False
+    inverted: bool = False
 
 
 @checked(tense=Tense, mood=Mood, form=Form, ellipsis=tuple[Elided, ...])

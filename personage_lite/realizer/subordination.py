@@ -14,8 +14,7 @@ def fronted(syntax: Syntax, out: list[str], clause: Clause) -> None:
     """Add the adverbial clauses that come before the subject."""
     for subordinate in clause.subordinates:
         if subordinate.fronted:
-            out.append(subordinate.conjunction)
-            syntax.phrase(out, subordinate.clause)
+            _add(syntax, out, subordinate)
             out.append(",")
 
 
@@ -31,8 +30,16 @@ def add_subordinate(syntax: Syntax, out: list[str], host: Clause, subordinate: S
     quotation = host.quotation
     if quotation and not (isinstance(quotation, Quotation) and quotation.first):
         out.append(",")
-    out.append(subordinate.conjunction)
-    syntax.phrase(out, subordinate.clause)
+    _add(syntax, out, subordinate)
+
+
+def _add(syntax: Syntax, out: list[str], subordinate: Subordinate) -> None:
+    if subordinate.conjunction:
+        out.append(subordinate.conjunction)
+    if subordinate.inverted:
+        syntax.inverted(out, subordinate.clause)
+    else:
+        syntax.phrase(out, subordinate.clause)
 
 
 def preposed(syntax: Syntax, out: list[str], clause: Clause) -> bool:

@@ -51,6 +51,14 @@ class Syntax:
         else:
             _SAY[phrase.__class__](self, out, phrase, case)
 
+    def inverted(self, out: list[str], clause: Clause) -> None:
+        """Add a clause with its auxiliary first: "had she known"."""
+        clauses.main_clause(self, out, clause, inverted=True)
+
+    def relative(self, out: list[str], joined: Coordination) -> None:
+        """Add the relative clause about all that is joined."""
+        noun_phrases.relative_to_all(self, out, joined)
+
     def clauses(self, out: list[str], joined: Coordination) -> None:
         """Add clauses joined as those of a sentence are."""
         phrases.coordination(self, out, joined, main=True)

@@ -149,7 +149,8 @@ class RandomSpecs:
     def coordination(self, make: Any, depth: int) -> Coordination:
         """Return up to three phrases or clauses joined."""
         items = (make(depth), *self.few(make, depth))
-        return Coordination(items, self.word(CONJUNCTIONS), self.flag(), self.flag())
+        relative = self.relative(depth - 1) if depth > 0 and self.rng.random() < 0.1 else None
+        return Coordination(items, self.word(CONJUNCTIONS), self.flag(), self.flag(), relative)
 
     def relative(self, depth: int) -> Relative:
         """Return a relative clause whose role nothing else fills."""
@@ -215,7 +216,9 @@ class RandomSpecs:
     def subordinate(self, depth: int) -> Subordinate:
         """Return an adverbial clause."""
         clause = self.clause(depth) if self.flag() else self.non_finite(depth)
-        return Subordinate(self.one("because", "although", "before"), clause, self.flag())
+        inverted = self.rng.random() < 0.1
+        conjunction = "" if inverted else self.one("because", "although", "before")
+        return Subordinate(conjunction, clause, self.flag(), inverted)
 
     def non_finite(self, depth: int) -> Clause:
         """Return an infinitive or a participle."""
