@@ -45,6 +45,9 @@ LEVELS: dict[str, Callable[[Any], Any]] = {
     "a list": lambda x: [x],
     "PrepositionalPhrase.object": lambda x: {"preposition": "in", "object": x},
     "Coordination.items": lambda x: {"items": ["a", x]},
+    "Coordination.relative": lambda x: {
+        **{"items": ["a", "b"], "relative": {"clause": {"verb": "see", "object": x}}}
+    },
     "Question.phrase": lambda x: {
         **{"verb": "go", "mood": "interrogative", "question": {"phrase": x}}
     },
