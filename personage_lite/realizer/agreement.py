@@ -46,6 +46,13 @@ def agreement(phrase: Phrase | None, grammar: Grammar, inverted: bool = False) -
     return THIRD_SINGULAR
 
 
+def existential_agreement(subject: Phrase | None, grammar: Grammar) -> Agreement:
+    """Return what agrees with the verb after "there": the first of what there is."""
+    while isinstance(subject, Coordination):
+        subject = subject.items[0]
+    return agreement(subject, grammar)
+
+
 def _many(phrase: Phrase, grammar: Grammar) -> bool:
     """Whether a phrase makes those that it is joined to plural."""
     if isinstance(phrase, NounPhrase):

@@ -1,7 +1,7 @@
 """The indefinite article, by the sound of what follows: an hour, a unicorn, an FBI agent, an 8."""
 
 # No `from __future__ import annotations` here: typing compiles each annotation of a named tuple
-# that is a string, which took a tenth of the time to the first utterance.
+# that is a string, at every start.
 
 from typing import NamedTuple
 

@@ -5,15 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, get_args
 
 from personage_lite.errors import shown
-from personage_lite.realizer.agreement import THIRD_SINGULAR, Agreement, agreement
+from personage_lite.realizer.agreement import THIRD_SINGULAR, agreement, existential_agreement
 from personage_lite.realizer.features import SpecificationError
-from personage_lite.realizer.grammar import Grammar
 from personage_lite.realizer.non_finite import bare, imperative, non_finite_clause
-from personage_lite.realizer.predicates import arguments, predicate, quoted
+from personage_lite.realizer.predicates import arguments, predicate, quoted, speech_before
 from personage_lite.realizer.specification import (
     Case,
     Clause,
-    Coordination,
     Mood,
     NounPhrase,
     Phrase,
@@ -45,8 +43,8 @@ def main_clause(
         non_finite_clause(syntax, out, clause)
         return
     fronted(syntax, out, clause)
-    quotation = clause.quotation
-    if isinstance(quotation, Quotation) and quotation.first:
+    quotation = speech_before(clause)
+    if quotation is not None:
         out.extend((quoted(syntax, quotation), ","))
         if quotation.inverted and clause.subject is not None and _can_report(clause):
             _reporting(syntax, out, clause, clause.subject)
@@ -66,7 +64,7 @@ def main_clause(
     else:
         _subject_and_predicate(syntax, out, clause, inverted, shared_subject)
     following(syntax, out, clause)
-    if isinstance(quotation, Quotation) and quotation.first:
+    if quotation is not None:
         _rest_of_speech(syntax, out, quotation)
 
 
@@ -87,8 +85,9 @@ def content_clause(
     if clause.mood == "interrogative" and asked is not None:
         syntax.phrase(out, asked.phrase)
     _subject_and_predicate(syntax, out, clause, inverted)
-    if isinstance(clause.quotation, Quotation) and clause.quotation.first:
-        out.extend((",", quoted(syntax, clause.quotation)))
+    quotation = speech_before(clause)
+    if quotation is not None:
+        out.extend((",", quoted(syntax, quotation)))
     following(syntax, out, clause)
 
 
@@ -112,7 +111,7 @@ def relative_clause(
             clause = clause._replace(subject=None)
             subject = head._replace(relative=None)
         out.append(syntax.grammar.words.existential)
-        predicate(syntax, out, clause, _existential_agreement(subject, syntax.grammar))
+        predicate(syntax, out, clause, existential_agreement(subject, syntax.grammar))
     elif role == "subject" and not relative.possessed:
         agrees = agreement(head, syntax.grammar)
         predicate(syntax, out, clause, agrees, subject=head, stranded=stranded)
@@ -179,7 +178,7 @@ def _subject_and_predicate(
         raise _no_subject(clause)
     said = subject
     if clause.existential:
-        agrees = _existential_agreement(subject, grammar)
+        agrees = existential_agreement(subject, grammar)
         said = grammar.words.existential
     elif clause.mood == "subjunctive" and clause.tense == "past":
         agrees = (3, True)  # "if I were you"
@@ -215,13 +214,6 @@ def _asked_subject(
         out.append(there)
     short = asked.phrase in grammar.contracting if isinstance(asked.phrase, str) else False
     predicate(syntax, out, clause, agrees, after_pronoun=short, stranded=asked.preposition)
-
-
-def _existential_agreement(subject: Phrase | None, grammar: Grammar) -> Agreement:
-    """Return what agrees with the verb after "there": the first of what there is."""
-    while isinstance(subject, Coordination):
-        subject = subject.items[0]
-    return agreement(subject, grammar)
 
 
 def _exclaimed(syntax: Syntax, out: list[str], phrase: Phrase | None) -> None:

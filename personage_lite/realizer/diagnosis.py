@@ -4,13 +4,18 @@ from __future__ import annotations
 
 from typing import Any
 
-from personage_lite.errors import PersonageError
-from personage_lite.realizer.features import wrong_value
+from personage_lite.errors import PersonageError, nearest, shown
 from personage_lite.realizer.reader import MisreadError, Path, found
 from personage_lite.realizer.specification import Sentence
-from personage_lite.realizer.types import DEEPEST, FIELDS, choices, described, item_type, options
-
-_SPOKEN = Sentence | FIELDS[Sentence]["body"]
+from personage_lite.realizer.types import (
+    DEEPEST,
+    FIELDS,
+    SPOKEN,
+    choices,
+    described,
+    item_type,
+    options,
+)
 
 
 def diagnosed(sentence: object, error: Exception) -> MisreadError:
@@ -21,7 +26,7 @@ def diagnosed(sentence: object, error: Exception) -> MisreadError:
     >>> str(diagnosed(spec, TypeError("…")))
     "body.subject.noun: expected a text, found '12'; see docs/realizer.md"
     """
-    fault = _fault(sentence, Sentence if isinstance(sentence, Sentence) else _SPOKEN, ())
+    fault = _fault(sentence, Sentence if isinstance(sentence, Sentence) else SPOKEN, ())
     if fault is not None:
         return fault
     if isinstance(error, PersonageError):
@@ -50,9 +55,8 @@ def _fault(value: Any, hint: Any, path: Path) -> MisreadError | None:
             if value in choices(option):
                 return None
             if len(able) == 1:
-                return MisreadError(
-                    path, *_parts(wrong_value("it", "value", value, choices(option)))
-                )
+                what = f"value cannot be '{shown(str(value))}'"
+                return MisreadError(path, what, nearest(str(value), map(str, choices(option))))
         elif item_type(option) is not None and isinstance(value, tuple) and kind not in FIELDS:
             for index, item in enumerate(value):
                 fault = _fault(item, item_type(option), (*path, index))
@@ -61,13 +65,8 @@ def _fault(value: Any, hint: Any, path: Path) -> MisreadError | None:
             return None
         elif kind is option or (option is float and kind is int):
             return None
-    what = f"expected {described(hint)}, found {found(value)}"
+    what = f"expected {described(able)}, found {found(value)}"
     return MisreadError(path, what, "see docs/realizer.md")
-
-
-def _parts(error: PersonageError) -> tuple[str, str]:
-    what, _, remedy = str(error).removeprefix("it: ").partition("; ")
-    return what, remedy
 
 
 def _path_to(value: Any, culprit: object, path: Path = ()) -> Path:

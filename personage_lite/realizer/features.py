@@ -33,7 +33,7 @@ def checked(**choices: Any) -> Callable[[type[T]], type[T]]:
     Each choice is a feature with the `Literal` type of its values, or of the items of its tuple.
     A feature of several values takes a tuple: a string there would be taken for its letters.
     """
-    allowed = {name: _values(type_) for name, type_ in choices.items()}
+    allowed: dict[str, tuple[Any, ...]] = {name: _values(type_) for name, type_ in choices.items()}
 
     def decorate(kind: type[T]) -> type[T]:
         made_by: Any = kind
@@ -56,7 +56,10 @@ def checked(**choices: Any) -> Callable[[type[T]], type[T]]:
                     raise SpecificationError(f"{what}; write ({value!r:.40},)")
                 for each in value if isinstance(value, tuple) else (value,):
                     if name in allowed and each not in allowed[name]:
-                        raise wrong_value(cls.__name__, name, each, allowed[name])
+                        what = f"{cls.__name__}: {name} cannot be '{shown(str(each))}'"
+                        raise SpecificationError(
+                            f"{what}; {nearest(str(each), map(str, allowed[name]))}"
+                        )
 
         space: dict[str, Any] = {"_make": tuple.__new__, "_refuse": refuse}
         space |= {f"_{name}": values for name, values in allowed.items()}
@@ -74,12 +77,15 @@ def checked(**choices: Any) -> Callable[[type[T]], type[T]]:
     return decorate
 
 
-def wrong_value(
-    kind: str, feature: str, value: object, allowed: tuple[object, ...]
-) -> SpecificationError:
-    """Return the error for a value that a feature cannot have."""
-    remedy = nearest(str(value), map(str, allowed))
-    return SpecificationError(f"{kind}: {feature} cannot be '{shown(str(value))}'; {remedy}")
+def unprintable(text: str) -> str:
+    r"""Return the first sign of a text that is neither to be printed nor a blank, or nothing.
+
+    >>> unprintable("a\x07b\n")
+    '\x07'
+    """
+    if text.isprintable():
+        return ""
+    return next((sign for sign in text if not (sign.isprintable() or sign.isspace())), "")
 
 
 def _values(type_: Any) -> tuple[object, ...]:

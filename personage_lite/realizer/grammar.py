@@ -1,7 +1,7 @@
 """The realizer's data: the closed words of English, read from `lexicons/`."""
 
 # No `from __future__ import annotations` here: typing compiles each annotation of a named tuple
-# that is a string, which took a tenth of the time to the first utterance.
+# that is a string, at every start.
 
 from os import PathLike
 from typing import NamedTuple, get_args
@@ -52,8 +52,6 @@ class FunctionWords(NamedTuple):
     whether: str
     exclamative_degree: str
     exclamative_noun: str
-    let: str
-    addition: str
 
 
 class DeterminerForms(NamedTuple):

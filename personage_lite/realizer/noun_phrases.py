@@ -17,7 +17,7 @@ from personage_lite.realizer.grammar import LIMITING, OPINION, UNLISTED, Grammar
 from personage_lite.realizer.inflection import Countability
 from personage_lite.realizer.numerals import cardinal, ordinal
 from personage_lite.realizer.orthography import INDEFINITE
-from personage_lite.realizer.phrases import attribute, number_said, possess
+from personage_lite.realizer.phrases import attribute, joined_items, number_said, possess
 from personage_lite.realizer.specification import (
     AdjectivePhrase,
     Case,
@@ -43,41 +43,24 @@ def noun_phrase(
     syntax: Syntax, out: list[str], phrase: NounPhrase, case: Case = "objective"
 ) -> None:
     """Add a noun phrase or its pronoun."""
-    # Taken apart at once: asking for each by its name takes a tenth of a sentence's time.
-    (
-        noun,
-        determiner,
-        adjectives,
-        owner,
-        _,
-        _,
-        _,
-        _,
-        by_pronoun,
-        relative,
-        stuttered,
-        _,
-        reflexive,
-    ) = phrase[:13]
-    predeterminer, count, rank, figures, modifiers, apposition, interruption = phrase[13:]
     grammar = syntax.grammar
-    followed = modifiers or relative or apposition is not None or interruption
-    if by_pronoun or reflexive or case == "reflexive":
-        pronoun(out, phrase, "reflexive" if reflexive else case, grammar)
-        if by_pronoun and followed and case in ("subjective", "objective"):
+    if phrase.pronoun or phrase.reflexive or case == "reflexive":
+        pronoun(out, phrase, "reflexive" if phrase.reflexive else case, grammar)
+        if phrase.pronoun and case in ("subjective", "objective"):
             _after_noun(syntax, out, phrase)
         return
     start = len(out)
     plural, kind = number_and_kind(phrase, grammar)
-    owner_after = owner is not None and (determiner != "" or _heavy(owner))
-    if determiner or owner is not None or predeterminer:
+    noun, owner, adjectives = phrase.noun, phrase.possessor, phrase.adjectives
+    owner_after = owner is not None and (phrase.determiner != "" or _heavy(owner))
+    if phrase.determiner or owner is not None or phrase.predeterminer:
         _before_adjectives(syntax, out, phrase, plural, kind, owner_after)
-    if len(adjectives) > 1 or (adjectives and count is not None):
+    if len(adjectives) > 1 or (adjectives and phrase.cardinal is not None):
         adjectives = _in_order(syntax, out, adjectives)
-    if rank is not None:
-        out.append(number_said(ordinal, rank, phrase, figures, grammar))
-    if count is not None:
-        out.append(number_said(cardinal, count, phrase, figures, grammar))
+    if phrase.ordinal is not None:
+        out.append(number_said(ordinal, phrase.ordinal, phrase, phrase.figures, grammar))
+    if phrase.cardinal is not None:
+        out.append(number_said(cardinal, phrase.cardinal, phrase, phrase.figures, grammar))
     if kind == "pair" and takes_pair(phrase, grammar):
         pair = grammar.words.pair
         out.append(pluralize(pair, grammar.inflection) if plural else pair)
@@ -88,10 +71,10 @@ def noun_phrase(
         after = noun in grammar.indefinite_pronouns
         following = adjectives if after else _adjectives(syntax, out, adjectives)
     if noun:
-        if stuttered > _MOST_STUTTERS:
-            what = f"stutter: {stuttered} times is too often; write {_MOST_STUTTERS} at most"
+        if phrase.stutter > _MOST_STUTTERS:
+            what = f"stutter: {phrase.stutter} times is too often; write {_MOST_STUTTERS} at most"
             raise SpecificationError(what, phrase)
-        if stuttered and len(out) > start and out[-1] == INDEFINITE:
+        if phrase.stutter and len(out) > start and out[-1] == INDEFINITE:
             out[-1] = INDEFINITE + noun  # "a f-fox"
         out.append(_noun(phrase, plural, kind, grammar))
     elif len(out) == start:
@@ -99,14 +82,13 @@ def noun_phrase(
     for adjective in following:
         syntax.phrase(out, adjective)
     if owner is not None and owner_after:
-        _owner_after(syntax, out, owner, double=determiner != "" and not _heavy(owner))
+        _owner_after(syntax, out, owner, double=phrase.determiner != "" and not _heavy(owner))
     if case in ("possessive", "independent"):
-        for modifier in modifiers:
+        for modifier in phrase.modifiers:
             syntax.phrase(out, modifier)
         possess(out, plural)
         phrase = phrase._replace(modifiers=())  # said before the 's
-    if followed:
-        _after_noun(syntax, out, phrase)
+    _after_noun(syntax, out, phrase)
 
 
 def _before_adjectives(
@@ -283,9 +265,7 @@ def _relative(syntax: Syntax, out: list[str], phrase: NounPhrase, relative: Rela
     elif not omitted and (finite or (relative.preposition and not relative.stranded)):
         out.append(relative.word or _relative_pronoun(phrase, relative, grammar))
     said = relative.clause
-    clauses = said.items if isinstance(said, Coordination) else (said,)
-    if not clauses:
-        raise SpecificationError("this joins nothing; give it items", said)
+    clauses = joined_items(said) if isinstance(said, Coordination) else (said,)
     for index, clause in enumerate(clauses):
         if index and isinstance(said, Coordination):
             out.append("," if index < len(clauses) - 1 else said.conjunction)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from personage_lite.realizer.article import indefinite_article
-from personage_lite.realizer.features import SpecificationError
+from personage_lite.realizer.features import SpecificationError, unprintable
 from personage_lite.realizer.grammar import Grammar
 
 # Stands for "a" or "an" until the next word is known; no word can look like it. What follows it
@@ -71,8 +71,8 @@ def _cleaned(text: str) -> str:
     for mark in ",.!?…":
         text = text.replace(f" {mark}", mark)
     # Blanks that do not break a line are no harm.
-    strange = next((sign for sign in text if not (sign.isprintable() or sign.isspace())), None)
-    if strange is not None:
+    strange = unprintable(text)
+    if strange:
         raise SpecificationError(f"{strange!a} cannot be printed; leave it out")
     if not text.strip(".!?…"):
         raise SpecificationError("there is nothing to say; give it words")

@@ -52,9 +52,14 @@ def possess(out: list[str], plural: bool) -> None:
 def adjective_phrase(
     syntax: Syntax, out: list[str], phrase: AdjectivePhrase, case: Case = "objective"
 ) -> None:
-    """Add an adjective with its adverbs, its degree and what follows it."""
+    """Add an adjective with its adverbs, its degree, what it governs and is compared to."""
     attribute(syntax, out, phrase)
-    after_adjective(syntax, out, phrase)
+    if phrase.complement is not None:
+        syntax.phrase(out, phrase.complement)
+    if phrase.compared is not None:
+        words = syntax.grammar.words
+        out.append(words.equative if phrase.degree == "equative" else words.comparative)
+        syntax.phrase(out, phrase.compared)
 
 
 def attribute(syntax: Syntax, out: list[str], phrase: AdjectivePhrase) -> None:
@@ -71,16 +76,6 @@ def attribute(syntax: Syntax, out: list[str], phrase: AdjectivePhrase) -> None:
         out.append(inflect_adjective(adjective, phrase.degree, inflection))
     else:
         raise KeyError(phrase.degree)
-
-
-def after_adjective(syntax: Syntax, out: list[str], phrase: AdjectivePhrase) -> None:
-    """Add what an adjective governs and what it is compared to."""
-    if phrase.complement is not None:
-        syntax.phrase(out, phrase.complement)
-    if phrase.compared is not None:
-        words = syntax.grammar.words
-        out.append(words.equative if phrase.degree == "equative" else words.comparative)
-        syntax.phrase(out, phrase.compared)
 
 
 def prepositional_phrase(
@@ -131,9 +126,7 @@ def coordination(
 ) -> None:
     """Add phrases or clauses with commas and the conjunction between them."""
     grammar = syntax.grammar
-    items, conjunction = phrase.items, phrase.conjunction
-    if not items:
-        raise SpecificationError("this joins nothing; give it items", phrase)
+    items, conjunction = joined_items(phrase), phrase.conjunction
     last = len(items) - 1
     inverted = False
     pair = grammar.correlatives.get(conjunction, "") if phrase.correlative and last else ""
@@ -170,6 +163,13 @@ def coordination(
             syntax.phrase(out, item, case)
     if phrase.relative is not None:
         syntax.relative(out, phrase)
+
+
+def joined_items(phrase: Coordination) -> tuple[Phrase, ...]:
+    """Return what is joined; nothing is an error."""
+    if not phrase.items:
+        raise SpecificationError("this joins nothing; give it items", phrase)
+    return phrase.items
 
 
 def _said_whole(clause: Phrase) -> bool:

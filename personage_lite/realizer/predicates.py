@@ -203,9 +203,14 @@ def arguments(
         out.append(",")
         syntax.phrase(out, aside)
         out.append(",")
+    if clause.quotation and speech_before(clause) is None:
+        out.extend((",", quoted(syntax, clause.quotation)))
+
+
+def speech_before(clause: Clause) -> Quotation | None:
+    """Return the direct speech that a clause follows, if it does."""
     quotation = clause.quotation
-    if quotation and not (isinstance(quotation, Quotation) and quotation.first):
-        out.extend((",", quoted(syntax, quotation)))
+    return quotation if isinstance(quotation, Quotation) and quotation.first else None
 
 
 def quoted(syntax: Syntax, quotation: str | Sentence | Quotation) -> str:

@@ -6,12 +6,13 @@ from types import NoneType
 from typing import Any, NamedTuple
 
 from personage_lite.errors import nearest, shown
-from personage_lite.realizer.features import SpecificationError
+from personage_lite.realizer.features import SpecificationError, unprintable
 from personage_lite.realizer.specification import Phrase, Sentence, Text
 from personage_lite.realizer.types import (
     DEEPEST,
     FIELDS,
     MARKS,
+    SPOKEN,
     choices,
     described,
     item_type,
@@ -22,7 +23,6 @@ from personage_lite.realizer.types import (
 Path = tuple[str | int, ...]
 # An anchor of anchors can stand for more values than there is memory for.
 _MOST_VALUES = 100_000
-_SPOKEN = Sentence | FIELDS[Sentence]["body"]
 
 
 def path_text(path: Path) -> str:
@@ -71,7 +71,7 @@ def read_specification(data: object, path: Path = ()) -> Sentence | Phrase:
     >>> english().realize(read_specification(run))
     'A rabbit ran.'
     """
-    found: Sentence | Phrase = _read(data, _SPOKEN, path, _Around((), [_MOST_VALUES]))
+    found: Sentence | Phrase = _read(data, SPOKEN, path, _Around((), [_MOST_VALUES]))
     return found
 
 
@@ -98,7 +98,7 @@ def _read(data: Any, hint: Any, path: Path, around: _Around) -> Any:
         return _mapping(data, able, path, around)
     if isinstance(data, list):
         return _list(data, able, path, around)
-    return _scalar(data, hint, path)
+    return _scalar(data, able, path)
 
 
 def _mapping(data: dict[Any, Any], able: tuple[Any, ...], path: Path, around: _Around) -> Any:
@@ -147,12 +147,10 @@ def _list(data: list[Any], able: tuple[Any, ...], path: Path, around: _Around) -
     raise _unfit(data, able, path)
 
 
-def _scalar(data: Any, hint: Any, path: Path) -> Any:
-    able = options(hint)
-    if isinstance(data, str) and not data.isprintable():
-        strange = next((sign for sign in data if not (sign.isprintable() or sign.isspace())), None)
-        if strange is not None:
-            raise MisreadError(path, f"{strange!a} cannot be printed", "leave it out")
+def _scalar(data: Any, able: tuple[Any, ...], path: Path) -> Any:
+    strange = unprintable(data) if isinstance(data, str) else ""
+    if strange:
+        raise MisreadError(path, f"{strange!a} cannot be printed", "leave it out")
     for option in able:
         allowed = choices(option)
         if allowed:
@@ -169,7 +167,7 @@ def _scalar(data: Any, hint: Any, path: Path) -> Any:
 
 
 def _unfit(data: Any, able: tuple[Any, ...], path: Path) -> MisreadError:
-    expected = described(able[0] if len(able) == 1 else _union(able))
+    expected = described(able)
     quoted = str in able and isinstance(data, bool | int | float)
     remedy = "put it in quotes" if quoted else "see docs/realizer.md"
     if any(item_type(option) for option in able):
@@ -189,10 +187,3 @@ def found(data: object) -> str:
         return f"'{shown(str(data))}'"
     names = {dict: "a mapping", list: "a list", tuple: "a tuple", NoneType: "nothing"}
     return names.get(type(data)) or f"a value of type {type(data).__name__}"
-
-
-def _union(able: tuple[Any, ...]) -> Any:
-    joined = able[0]
-    for option in able[1:]:
-        joined = joined | option
-    return joined

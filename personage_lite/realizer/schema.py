@@ -7,8 +7,16 @@ from inspect import getdoc
 from types import NoneType
 from typing import Any
 
-from personage_lite.realizer.specification import Sentence, Text
-from personage_lite.realizer.types import FIELDS, MARKS, choices, item_type, options, required
+from personage_lite.realizer.specification import Text
+from personage_lite.realizer.types import (
+    FIELDS,
+    MARKS,
+    SPOKEN,
+    choices,
+    item_type,
+    options,
+    required,
+)
 
 _DRAFT = "https://json-schema.org/draft/2020-12/schema"
 _PLAIN = {str: "string", bool: "boolean", int: "integer", float: "number", NoneType: "null"}
@@ -22,7 +30,7 @@ def schema_text() -> str:
 
 def schema() -> dict[str, Any]:
     """Return the schema of a specification file: a specification, a list, or a named list."""
-    spoken = _type(Sentence | FIELDS[Sentence]["body"])
+    spoken = _type(SPOKEN)
     listed = {"type": "array", "items": spoken, "minItems": 1}
     named = {
         "type": "object",

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from personage_lite.realizer.specification import Clause, NounPhrase, Phrase, Quotation, Subordinate
+from personage_lite.realizer.predicates import speech_before
+from personage_lite.realizer.specification import Clause, NounPhrase, Phrase, Subordinate
 
 if TYPE_CHECKING:
     from personage_lite.realizer.syntax import Syntax
@@ -27,8 +28,7 @@ def following(syntax: Syntax, out: list[str], clause: Clause) -> None:
 
 def add_subordinate(syntax: Syntax, out: list[str], host: Clause, subordinate: Subordinate) -> None:
     """Add an adverbial clause that follows its host; a comma parts it from speech."""
-    quotation = host.quotation
-    if quotation and not (isinstance(quotation, Quotation) and quotation.first):
+    if host.quotation and speech_before(host) is None:
         out.append(",")
     _add(syntax, out, subordinate)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, cast
 
-from personage_lite.realizer.agreement import agreement, is_plural
+from personage_lite.realizer.agreement import agreement, existential_agreement, is_plural
 from personage_lite.realizer.grammar import Grammar
 from personage_lite.realizer.specification import (
     AdjectivePhrase,
@@ -63,10 +63,10 @@ def tag_question(
         out.append(grammar.imperative_tags["first" if first else "second"])
         return
     asked = _pronoun(subject, grammar)
-    agrees = agreement(asked, grammar)
     if clause.existential:
-        first_one = subject.items[0] if isinstance(subject, Coordination) else subject
-        agrees = agreement(first_one, grammar)
+        agrees = existential_agreement(subject, grammar)
+    else:
+        agrees = agreement(asked, grammar)
     finite = verb_group(clause, agrees, grammar, support=True).finite
     if not (negative or _sounds_negative(clause, subject, grammar)):
         finite = (

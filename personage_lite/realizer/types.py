@@ -51,6 +51,8 @@ MARKS: dict[Any, tuple[str, ...]] = {
 FIELDS: dict[Any, dict[str, Any]] = {
     kind: get_type_hints(kind, vars(specification)) for kind in MARKS
 }
+# What can be realized: a sentence, or what can be the body of one.
+SPOKEN = Sentence | FIELDS[Sentence]["body"]
 # How deep a specification may be nested: more is a mistake, and would break the realizer.
 DEEPEST = 64
 
@@ -85,14 +87,14 @@ def item_type(hint: Any) -> Any:
     return get_args(hint)[0] if get_origin(hint) is tuple else None
 
 
-def described(hint: Any) -> str:
-    """Return what a field takes, in a user's words.
+def described(able: tuple[Any, ...]) -> str:
+    """Return what a field of these types takes, in a user's words.
 
-    >>> described(tuple[str, ...] | None)
+    >>> described(options(tuple[str, ...] | None))
     'a list'
     """
     words = []
-    for option in options(hint):
+    for option in able:
         if option is NoneType:
             continue
         if choices(option):
