@@ -6,14 +6,12 @@ from dataclasses import dataclass, field
 from os import PathLike
 from os.path import isfile, join
 
+from personage_lite.content_checks import content_faults
 from personage_lite.data import data_folder
 from personage_lite.errors import DataError, PersonageError, nearest
-from personage_lite.facts import Character
 from personage_lite.facts_reader import character_files, read_character
 from personage_lite.generator import DEFAULT_STYLE
-from personage_lite.lexicon import Lexicon, load_lexicon, load_style
-from personage_lite.realizer import Realizer
-from personage_lite.realizer.reader import MisreadError
+from personage_lite.lexicon import load_lexicon, load_style
 from personage_lite.sentence_planner import PRAGMATIC_MARKERS
 
 
@@ -78,47 +76,8 @@ def check_facts(place: str | PathLike[str]) -> Report:
             report.faults.append(str(error))
             continue
         report.faults += [str(fault) for fault in faults]
-        report.faults += [str(fault) for fault in _content_faults(character, lexicon)]
+        report.faults += [str(fault) for fault in content_faults(character, lexicon)]
         count += len(character.facts)
     characters = "1 character" if len(files) == 1 else f"{len(files)} characters"
     report.checked = f"facts ({characters}, {count} fact{'s' * (count != 1)})"
     return report
-
-
-def _content_faults(character: Character, lexicon: Lexicon) -> list[DataError]:
-    """Find facts said twice, facts that contradict each other, and relations said twice."""
-    realizer = Realizer(lexicon.grammar)
-    faults = []
-    seen: dict[object, tuple[bool, str]] = {}
-    for fact in character.facts:
-        key = fact.clause._replace(negated=False, negator="not")
-        if key in seen:
-            negated, other = seen[key]
-            what = "says the same as" if negated == fact.clause.negated else "contradicts"
-            faults.append(
-                DataError(
-                    character.file,
-                    fact.line,
-                    f"'{fact.id}' {what} '{other}'",
-                    "remove one of the two",
-                )
-            )
-        seen[key] = (fact.clause.negated, fact.id)
-        try:
-            text = realizer.realize(fact.clause)
-        except MisreadError as error:
-            faults.append(DataError(character.file, fact.line, error.what, error.remedy))
-            continue
-        if "  " in text or " ," in text:
-            faults.append(
-                DataError(character.file, fact.line, f"'{fact.id}' reads: {text}", "mend its words")
-            )
-    pairs: set[tuple[str, str, str]] = set()
-    for relation in character.relations:
-        pair = (relation.kind, relation.nucleus, relation.satellite)
-        if pair in pairs:
-            faults.append(
-                DataError(character.file, relation.line, f"a second {pair[0]}", "remove it")
-            )
-        pairs.add(pair)
-    return faults

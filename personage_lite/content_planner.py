@@ -6,122 +6,27 @@ the choice. Source: Mairesse & Walker 2011, section 4.1; the paper, section IV-C
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from itertools import pairwise
+from collections.abc import Iterator, Mapping
+from itertools import groupby, pairwise
 from math import floor
 
-from personage_lite.facts import Character, Fact, Relation
+from personage_lite.fact_choice import FactChoice
+from personage_lite.facts import OPPOSING_KINDS, Character, Fact, Relation
 from personage_lite.operators import Turn
 from personage_lite.plan import ContentPlan, Decision, Link, Message, Role, Status, decided
-from personage_lite.randomness import pick
 from personage_lite.realizer.specification import AdjectivePhrase
 
 STAGE = "content_planning"
 # The most facts that verbosity adds to the first one.
 _MOST_MORE = 6.0
-# How much likelier a fact is that has a relation to the last one, by kind of relation.
-_RELATED = {
-    "elaboration": 9.0,
-    "justification": 9.0,
-    "sequence": 6.0,
-    "restatement": 0.1,
-    "concession": 10.0,
-    "contrast": 10.0,
-}
-_OPPOSING = ("concession", "contrast")
 # Of two relations between the same facts, one of these is what is said.
-_TELLING = (*_OPPOSING, "justification")
-_SAME_TOPIC = 3.0
-_OTHER_SUBJECT_FIRST = 0.3
+_TELLING = (*OPPOSING_KINDS, "justification")
 _SAID_AGAIN: tuple[tuple[str, Role], ...] = (
     ("repetitions", "repetition"),
     ("restatements", "restatement"),
 )
 # What holds between facts without a relation, and between a fact and itself.
 _NOTHING, _SAME_SUBJECT, _AGAIN = Link("none"), Link("infer"), Link("restatement")
-
-
-class _Choice:
-    """The facts that can be told next in one turn; lives no longer than the turn."""
-
-    def __init__(self, character: Character, turn: Turn) -> None:
-        self._character = character
-        self._turn = turn
-        told = turn.state.told_of(character.entity.id)
-        self._table = table = _weights(turn.parameters)
-        # A weight for each fact in the order of the file; 0 for what cannot be told now.
-        self._weights = [table[kind] for kind in character.openings]
-        self._open = set(character.by_id)
-        if told:
-            counts = [told.get(key, 0) for key in character.by_id]
-            fewest = min(counts)
-            for place, (key, count) in enumerate(zip(character.by_id, counts, strict=True)):
-                if count != fewest:
-                    self._open.discard(key)
-                    self._weights[place] = 0.0
-            self._unlock(character.prerequisites)
-
-    def _ready(self, key: str) -> bool:
-        """Whether a fact is open and all that must be told before it has been told."""
-        before = self._character.prerequisites.get(key)
-        return key in self._open and (before is None or self._open.isdisjoint(before))
-
-    def take(self, last: Fact | None, index: int) -> Fact | None:
-        """Return the fact to tell after `last`, drawn by weight; None when nothing is open.
-
-        `index` is its place in this utterance: the first one should be about the character.
-        """
-        if not self._open:
-            return None
-        character, weights = self._character, self._weights.copy()
-        places = character.places
-        if last is not None:
-            for place in character.by_topic[last.topic]:
-                weights[place] *= _SAME_TOPIC
-            if last.id in character.related:
-                for key, factor in self._related(last).items():
-                    weights[places[key]] *= factor
-        if not index:
-            for place in character.by_others:
-                weights[place] *= _OTHER_SUBJECT_FIRST
-        fact = pick(self._turn.draws.uniform(f"fact/{index}"), character.facts, weights)
-        self._open.discard(fact.id)
-        self._weights[places[fact.id]] = 0.0
-        # What waited for this fact alone can now be told.
-        self._unlock(character.unlocks.get(fact.id, ()))
-        return fact
-
-    def _unlock(self, keys: Iterable[str]) -> None:
-        """Give those facts their weights that wait for nothing any more."""
-        for key in keys:
-            if self._ready(key):
-                place = self._character.places[key]
-                self._weights[place] = self._table[self._character.kinds[place]]
-
-    def _related(self, last: Fact) -> dict[str, float]:
-        factors: dict[str, float] = {}
-        concessions = 2 * self._turn.parameters["concessions"]
-        for relation in self._character.related[last.id]:
-            other = relation.satellite if relation.nucleus == last.id else relation.nucleus
-            factor = _RELATED[relation.kind]
-            if relation.kind in _OPPOSING:
-                factor = 1.0 + (factor - 1.0) * concessions
-            factors[other] = max(factor, factors.get(other, 0.0))
-        return factors
-
-
-def _weights(parameters: dict[str, float]) -> list[float]:
-    """Return how readily a fact is told, by its kind: polarity, then strength; 0 if it waits."""
-    liking, extreme = parameters["content_polarity"], parameters["polarization"]
-    good, bad = 2 * liking + 0.05, 2 * (1 - liking) + 0.05
-    extremely, somewhat = 2 * extreme + 0.05, 2 * (1 - extreme) + 0.05
-    # In the order of POLARITIES and STRENGTHS; what waits comes last.
-    return [
-        *(good * somewhat, good, good * extremely),
-        *(somewhat, 1.0, extremely),
-        *(bad * somewhat, bad, bad * extremely),
-        0.0,
-    ]
 
 
 class _Planner:
@@ -149,7 +54,7 @@ class _Planner:
         last = None
         if state.topic == self.character.entity.id:
             last = self.character.by_id.get(state.last_fact)
-        choice = _Choice(self.character, self.turn)
+        choice = FactChoice(self.character, self.turn)
         facts: list[Fact] = []
         while len(facts) < count:
             fact = choice.take(last, len(facts))
@@ -177,6 +82,12 @@ class _Planner:
                 fixed_order=left.id in self.character.prerequisites.get(right.id, ()),
             )
         return _SAME_SUBJECT if left.about == right.about else _NOTHING
+
+    def linked(self, left: Message, right: Message) -> Link:
+        """Return what holds between two messages."""
+        if right.role == "recall":
+            return _NOTHING
+        return self.link(left.fact, right.fact) if right.role == "assertion" else _AGAIN
 
     def stress(self, links: list[Link], messages: list[Message]) -> list[Link]:
         """Make the good side of a concession its nucleus, if drawn: the stress falls there.
@@ -207,12 +118,47 @@ class _Planner:
         value = {"good": 0, "neutral": 1, "bad": 2}
         units.sort(key=lambda unit: sum(value[fact.polarity] for fact in unit) / len(unit))
         ordered = [fact for unit in units for fact in unit]
+        topics = [topic for topic, _ in groupby(fact.topic for fact in ordered)]
+        if len(topics) != len(set(topics)):
+            return facts  # a topic once left does not come back
         place = {fact.id: index for index, fact in enumerate(ordered)}
         for fact in ordered:
             for first in self.character.prerequisites.get(fact.id, ()):
                 if place.get(first, -1) > place[fact.id]:
                     return facts
         return ordered
+
+    def recall(self, messages: list[Message]) -> None:
+        """Take up what was told in an earlier turn, if drawn: it explains or opposes what comes."""
+        told = self.turn.state.told_of(self.character.entity.id)
+        able = [
+            (index, other)
+            for index, message in enumerate(messages)
+            for other in self._recallable(messages, index, told)
+        ]
+        if not able or not self.decide("recall"):
+            return
+        index, other = self.turn.draws.choose("recall/which", able, [1.0] * len(able))
+        messages.insert(index, Message(self.character.by_id[other], "recall"))
+        self.decisions[-1] = self.decisions[-1]._replace(target=other)
+
+    def _recallable(
+        self, messages: list[Message], index: int, told: Mapping[str, int]
+    ) -> Iterator[str]:
+        """Yield the facts told before that a message can be said to follow from or to oppose."""
+        fact = messages[index].fact
+        if told.get(fact.id) or (
+            index and self.link(messages[index - 1].fact, fact).kind != "none"
+        ):
+            return
+        here = {message.fact.id for message in messages}
+        for relation in self.character.related.get(fact.id, ()):
+            other = relation.satellite if relation.nucleus == fact.id else relation.nucleus
+            known = told.get(other) and other not in here and other != self.turn.state.last_fact
+            # The reason and what is conceded come first; a contrast goes both ways.
+            before = other == relation.satellite or relation.kind == "contrast"
+            if relation.kind in _TELLING and known and before:
+                yield other
 
     def say_again(self, messages: list[Message]) -> None:
         """Put a repetition and a restatement after messages that allow one."""
@@ -252,18 +198,17 @@ def plan_content(character: Character, turn: Turn) -> tuple[ContentPlan, list[De
     """
     planner = _Planner(character, turn)
     messages = [Message(fact) for fact in planner.order(planner.chosen())]
+    planner.recall(messages)
     planner.say_again(messages)
-    links = [
-        planner.link(left.fact, right.fact) if right.role == "assertion" else _AGAIN
-        for left, right in pairwise(messages)
-    ]
+    links = [planner.linked(left, right) for left, right in pairwise(messages)]
     if links:
         links = planner.stress(links, messages)
     new_topic = turn.state.topic != character.entity.id
     confirmation = new_topic and planner.decide("request_confirmation")
     # Nobody disclaims a plain neutral fact.
-    doubtful = not confirmation and messages[0].fact.polarity != "neutral"
+    recalls = messages[0].role == "recall"
+    doubtful = not (confirmation or recalls) and messages[0].fact.polarity != "neutral"
     rejection = doubtful and planner.decide("initial_rejection")
-    mitigation = not rejection and planner.decide("competence_mitigation")
+    mitigation = not (rejection or recalls) and planner.decide("competence_mitigation")
     plan = ContentPlan(tuple(messages), tuple(links), confirmation, rejection, mitigation)
     return plan, planner.decisions

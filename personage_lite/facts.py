@@ -6,9 +6,10 @@ The format is described in docs/facts.md; `facts_reader` reads it.
 # No `from __future__ import annotations` here: typing compiles each annotation of a named tuple
 # that is a string, at every start.
 
+from itertools import pairwise
 from typing import Literal, NamedTuple, TypeAlias
 
-from personage_lite.realizer.specification import Clause, Gender, NounPhrase, Number, Phrase
+from personage_lite.realizer.specification import Clause, Gender, NounPhrase, Number, Phrase, Text
 
 Polarity: TypeAlias = Literal["good", "neutral", "bad"]
 Strength: TypeAlias = Literal["somewhat", "plainly", "extremely"]
@@ -30,6 +31,8 @@ RELATION_KINDS: tuple[str, ...] = (
 WAITS = -1
 # The second of these pairs makes sense only when the first has been told.
 ORDERED_KINDS: tuple[str, ...] = ("elaboration", "sequence")
+# These set two facts against each other.
+OPPOSING_KINDS: tuple[str, ...] = ("concession", "contrast")
 
 
 class Entity(NamedTuple):
@@ -120,10 +123,24 @@ class Relation(NamedTuple):
     line: int = 0
 
 
+class Topic(NamedTuple):
+    """What facts that are told together have in common.
+
+    `setting` is a place or time that is true of all of them ("at the trial"); `in_order` says
+    that they are a story, each told after the one before it in the file.
+    """
+
+    name: str
+    setting: Text | None = None
+    in_order: bool = False
+    line: int = 0
+
+
 class Character(NamedTuple):
     """All that is known of one entity, made by `character`; any kind of thing can be one.
 
-    `places` holds each fact's place in the file, `kinds` its place in a table of polarities by
+    `topics` stand in the order in which they are best told. `places` holds each fact's place in
+    the file, `kinds` its place in a table of polarities by
     strengths, `openings` the same, with `WAITS` for those that cannot be told before anything
     else; `by_topic` the places of each topic's facts, `by_others` the places of those that are
     about somebody else. `related` holds each fact's relations; `prerequisites` the facts that
@@ -134,6 +151,7 @@ class Character(NamedTuple):
     entities: dict[str, Entity]
     facts: tuple[Fact, ...]
     relations: tuple[Relation, ...]
+    topics: dict[str, Topic]
     source: str
     file: str
     by_id: dict[str, Fact]
@@ -152,10 +170,15 @@ def character(
     entities: dict[str, Entity],
     facts: tuple[Fact, ...],
     relations: tuple[Relation, ...],
+    topics: dict[str, Topic],
     source: str,
     file: str,
 ) -> Character:
-    """Make a character, with the look-up tables that planning needs."""
+    """Make a character, with the look-up tables that planning needs.
+
+    Topics that are not in `topics` follow in the order in which the facts name them.
+    """
+    topics = topics | {fact.topic: Topic(fact.topic) for fact in facts if fact.topic not in topics}
     kinds = tuple(
         POLARITIES.index(fact.polarity) * len(STRENGTHS) + STRENGTHS.index(fact.strength)
         for fact in facts
@@ -166,18 +189,28 @@ def character(
     related: dict[str, tuple[Relation, ...]] = {}
     prerequisites: dict[str, tuple[str, ...]] = {}
     unlocks: dict[str, tuple[str, ...]] = {}
+
+    def wait(later: str, earlier: str) -> None:
+        if earlier not in prerequisites.get(later, ()):
+            prerequisites[later] = (*prerequisites.get(later, ()), earlier)
+            unlocks[earlier] = (*unlocks.get(earlier, ()), later)
+
     for relation in relations:
         first, second = relation.nucleus, relation.satellite
         for end in (first, second):
             related[end] = (*related.get(end, ()), relation)
         if relation.kind in ORDERED_KINDS:
-            prerequisites[second] = (*prerequisites.get(second, ()), first)
-            unlocks[first] = (*unlocks.get(first, ()), second)
+            wait(second, first)
+    for topic in topics.values():
+        if topic.in_order:
+            for earlier, later in pairwise(by_topic.get(topic.name, ())):
+                wait(facts[later].id, facts[earlier].id)
     return Character(
         entity=about,
         entities=entities,
         facts=facts,
         relations=relations,
+        topics=topics,
         source=source,
         file=file,
         by_id={fact.id: fact for fact in facts},

@@ -20,6 +20,7 @@ from personage_lite.facts import (
     Fact,
     Relation,
     RelationKind,
+    Topic,
     character,
     entity,
 )
@@ -114,12 +115,16 @@ def read_character(path: str | PathLike[str], faults: list[DataError] | None = N
             f"describe it under 'entities:' here or in {ENTITIES_FILE}",
         )
     reader = FactReader(entities[about.text()], entities)
+    topics = _topics(node, reader)
     facts: dict[str, Fact] = {}
     for item in node.need("facts").sequence():
         with _collecting(faults):
             fact = reader.fact(item)
             if fact.id in facts:
                 raise item.fault(f"a second fact '{fact.id}'", "give it an id of its own")
+            if topics and fact.topic not in topics:
+                remedy = f"list it under 'topics:', or {nearest(fact.topic, topics)}"
+                raise item.need("topic").fault(f"no topic '{shown(fact.topic)}'", remedy)
             facts[fact.id] = fact
     if not facts and not faults:
         raise node.need("facts").fault("there is no fact", "add at least one")
@@ -135,6 +140,7 @@ def read_character(path: str | PathLike[str], faults: list[DataError] | None = N
         entities,
         tuple(facts.values()),
         tuple(relations),
+        topics,
         source,
         path,
     )
@@ -175,6 +181,22 @@ def _read_entities(node: Node, found: dict[str, Entity]) -> None:
         item.done()
 
 
+def _topics(node: Node, reader: FactReader) -> dict[str, Topic]:
+    """Read the topics, in the order in which they are best told; none if the file lists none."""
+    listed = node.get("topics")
+    topics: dict[str, Topic] = {}
+    for name, item in listed.items() if listed is not None else ():
+        setting = item.get("setting")
+        topics[name] = Topic(
+            name,
+            None if setting is None else reader.text(setting),
+            item.flag_of("in_order"),
+            item.line,
+        )
+        item.done()
+    return topics
+
+
 def _relation(item: Node, facts: dict[str, Fact]) -> Relation:
     kind = cast(RelationKind, item.need("kind").choice(RELATION_KINDS))
     ends = []
@@ -190,7 +212,7 @@ def _relation(item: Node, facts: dict[str, Fact]) -> Relation:
 
 
 def _refuse_cycles(about: Character, file: str) -> None:
-    """Sequence and elaboration say what comes first: a circle of them could never be told."""
+    """Sequence, elaboration and order say what comes first: a circle could never be told."""
     open_facts = {fact.id for fact in about.facts}
     while open_facts:
         free = {
@@ -199,15 +221,15 @@ def _refuse_cycles(about: Character, file: str) -> None:
             if not any(first in open_facts for first in about.prerequisites.get(key, ()))
         }
         if not free:
-            line = min(
+            lines = [
                 relation.line
                 for relation in about.relations
                 if relation.kind in ORDERED_KINDS and relation.satellite in open_facts
-            )
+            ]
             raise DataError(
                 file,
-                line,
+                min(lines),
                 f"{', '.join(sorted(open_facts))} wait for each other",
-                "remove one elaboration or sequence of the circle",
+                "remove one elaboration or sequence of the circle, or 'in_order' of a topic",
             )
         open_facts -= free

@@ -126,9 +126,10 @@ class Generator:
         text = " ".join([self.realizer.realize(sentence) for sentence in planned.sentences])
 
         opened = {d.operator for d in decisions if d.status == "applied"}
+        recalled = {message.fact.id for message in content.messages if message.role == "recall"}
         after = state.after(
             about.entity.id,
-            planned.facts,
+            tuple(fact for fact in planned.facts if fact not in recalled),
             planned.markers | opened,
             planned.mentioned,
             planned.focus,

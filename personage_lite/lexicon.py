@@ -121,6 +121,8 @@ MARKER_PLACES: dict[str, tuple[str, ...]] = {
     "with_cue_word": (),
     "also_cue_word": ("middle", "connective"),
     "merge_with_comma": (),
+    "recall": (),
+    "topic_shift": (),
 }
 
 

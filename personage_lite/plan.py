@@ -9,7 +9,7 @@ from personage_lite.facts import Fact, RelationKind
 from personage_lite.realizer.specification import Clause, Opener, Sentence, Text
 from personage_lite.state import ConversationState
 
-Role: TypeAlias = Literal["assertion", "repetition", "restatement"]
+Role: TypeAlias = Literal["assertion", "repetition", "restatement", "recall"]
 Status: TypeAlias = Literal["applied", "not_applicable", "not_drawn"]
 LinkKind: TypeAlias = Literal[
     "main", "coordinate", "subordinate", "fronted", "relative", "object_relative"
@@ -48,7 +48,7 @@ def decided(
 
 
 class Message(NamedTuple):
-    """A fact chosen to be said, or to be said again."""
+    """A fact chosen to be said, to be said again at once, or recalled from an earlier turn."""
 
     fact: Fact
     role: Role = "assertion"

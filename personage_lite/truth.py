@@ -79,6 +79,7 @@ class _Checker:
             if not isinstance(main, Clause | Embedded):
                 continue
             groups: list[tuple[str, set[str]]] = []
+            setting: Phrase | None = None
             bodies = [("", main, False)]
             bodies += [
                 (join.conjunction, join.body, join.shared_subject) for join in sentence.joined
@@ -91,6 +92,10 @@ class _Checker:
                 facts = self._clause(clause, owner)
                 self._subject_before = clause.subject
                 owner = entity_of(clause.subject) or owner
+                for phrase in clause.preposed:
+                    setting = phrase
+                if setting is not None:
+                    self._setting(setting, facts)
                 if groups:
                     self._relation(cue, groups[-1][1], facts, coordinate=True)
                 groups.append((cue, facts))
@@ -101,6 +106,13 @@ class _Checker:
         return stated
 
     _subject_before: Phrase | None = None
+
+    def _setting(self, said: Phrase, facts: set[str]) -> None:
+        """Require that all a sentence states happens where or when it begins by saying."""
+        for key in sorted(facts):
+            topic = self._character.topics[self._character.by_id[key].topic]
+            if topic.setting is None or not self._same_phrase(said, topic.setting):
+                self.faults.append(f"'{key}' is not set where it is said to be: {said}")
 
     def _clause(self, clause: Clause, owner: str) -> set[str]:
         """Return the facts that a clause and the clauses inside it state."""

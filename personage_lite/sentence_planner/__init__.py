@@ -7,10 +7,9 @@ into deep syntax. Source: Mairesse & Walker 2011, section 4; the paper, section 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from itertools import pairwise
 from typing import NamedTuple
 
-from personage_lite.facts import Character, entity_of
+from personage_lite.facts import Character
 from personage_lite.operators import Operator, Turn, run_operators
 from personage_lite.plan import (
     ClausePlan,
@@ -26,10 +25,11 @@ from personage_lite.realizer.specification import Sentence
 from personage_lite.sentence_planner import hedges, rewording, speech
 from personage_lite.sentence_planner.aggregation import COMPETING
 from personage_lite.sentence_planner.assembly import assemble
+from personage_lite.sentence_planner.discourse import with_openings
 from personage_lite.sentence_planner.joining import Joint, Pair, plain
 from personage_lite.sentence_planner.lexical_choice import LexicalChoice
 from personage_lite.sentence_planner.referring_expressions import ReferringExpressions
-from personage_lite.sentence_planner.templates import lead_text, select_templates
+from personage_lite.sentence_planner.templates import select_templates
 
 # The order in which pragmatic markers are offered: what changes a clause comes before what
 # stands around the sentence, for the latter looks at the former.
@@ -78,7 +78,8 @@ def plan_sentences(
     clauses, decisions, used = select_templates(plan, character, plain, turn)
     sentences, joined = aggregate(clauses, plan.links, turn)
     decisions += joined
-    sentences = with_openings(sentences, plan, character, turn)
+    sentences, opened = with_openings(sentences, plan, character, turn)
+    decisions += opened
     decisions += run_operators(sentences, operators, "pragmatic_markers", turn)
     words = LexicalChoice(turn)
     referring = ReferringExpressions(character, turn)
@@ -124,7 +125,7 @@ def aggregate(
         # Where clauses changed places, what the relation holds of is no longer the last one.
         last = current.clauses[-1]
         if last is not clauses[index] and not set(clauses[index].facts) <= set(last.facts):
-            if clause.role != "assertion":
+            if clause.role in ("repetition", "restatement"):
                 continue  # it would say again, alone, what was said before
             link = Link("none")
         (*before, current), made = _join(Pair(current, clause, link), index, turn)
@@ -164,32 +165,3 @@ def _join(pair: Pair, index: int, turn: Turn) -> tuple[Joint, list[Decision]]:
     if kind == "restatement":
         return (left,), decisions
     return (left, SentencePlan((right,))), decisions
-
-
-def with_openings(
-    sentences: list[SentencePlan], plan: ContentPlan, character: Character, turn: Turn
-) -> list[SentencePlan]:
-    """Note what each sentence follows, and open with what the content plan asks for."""
-    placed = [sentences[0]]
-    for earlier, sentence in pairwise(sentences):
-        subject = entity_of(earlier.clauses[-1].clause.subject)
-        if subject:
-            sentence = sentence._replace(subject_before=subject)
-        placed.append(sentence)
-    if plan.mitigation:
-        rng = turn.rng("competence_mitigation/place")
-        opened = speech.competence_mitigation(placed[0], rng=rng, lexicon=turn.lexicon)
-        placed[0] = opened or placed[0]
-    if plan.rejection:
-        marker = turn.rng("initial_rejection").marker(turn.lexicon.markers["initial_rejection"])
-        if marker is not None:
-            placed[0] = hedges.with_opener(hedges.hedged(placed[0]), marker)
-    if plan.confirmation:
-        rng = turn.rng("request_confirmation")
-        marker = rng.marker(turn.lexicon.markers["request_confirmation"])
-        if marker is not None:
-            words = lead_text(marker.text, character.entity.phrase)
-            placed[0] = placed[0]._replace(answers=marker.after == "?")
-            asked = SentencePlan(fragment=words, terminal=marker.after, words=(marker.text,))
-            placed.insert(0, asked)
-    return placed

@@ -138,7 +138,8 @@ def _soft_places(plan: SentencePlan, index: int, lexicon: Lexicon) -> set[str]:
     free = clause.frame is None and HEDGED not in clause.marks and clause.polarity != "neutral"
     if free and not clause.clause.quotation and not plan.afterthought:
         fronted = any(other.link in ("fronted", "relative") for other in plan.clauses)
-        if clause.link == "main" and not fronted and not plan.connective:
+        set_in_place = bool(clause.clause.preposed)  # "at the trial" is not when I think so
+        if clause.link == "main" and not (fronted or plan.connective or set_in_place):
             places.add("lead")
         if len(plan.clauses) == 1 and not plan.tag:
             places.add("end")

@@ -187,6 +187,9 @@ class ReferringExpressions:
                 if lead is not frame.lead:
                     frame = frame._replace(lead=lead)
             clause = plan.clause
+            if clause.preposed:
+                preposed = tuple([self._phrase(phrase) for phrase in clause.preposed])
+                clause = clause._replace(preposed=preposed)
             subject = clause.subject
             if isinstance(subject, NounPhrase) and plan.link != "object_relative":
                 subject = self._mention(subject, named=inner is not None)

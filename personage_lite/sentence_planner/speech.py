@@ -23,7 +23,7 @@ from personage_lite.sentence_planner.hedges import (
     with_opener,
 )
 
-_TWICE = 0.3
+_TWICE = 0.15
 _BEFORE_ADJECTIVE = 0.5
 STUTTER = "stutter"
 
@@ -214,6 +214,8 @@ def object_ellipsis(
     if first.marks:
         return None
     if first.link != "main" or first.frame is not None or first.clause.interruption:
+        return None
+    if first.clause.preposed:
         return None
     if first.clause.verb not in ("be", "have") or any(
         clause.link == "relative" for clause in plan.clauses

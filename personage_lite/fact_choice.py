@@ -1,0 +1,119 @@
+"""The choice of the next fact: what is new, near to the last one and to the speaker's taste.
+
+Source: Mairesse & Walker 2011, section 4.1; Reiter & Dale 2000, section 4.3 (coherence).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from personage_lite.facts import OPPOSING_KINDS, Character, Fact
+from personage_lite.operators import Turn
+from personage_lite.randomness import pick
+
+# How much likelier a fact is that has a relation to the last one, by kind of relation.
+_RELATED = {
+    "elaboration": 9.0,
+    "justification": 9.0,
+    "sequence": 6.0,
+    "restatement": 0.1,
+    "concession": 10.0,
+    "contrast": 10.0,
+}
+# A description stays with its topic; a new one is rather the next of the file's order.
+_SAME_TOPIC = 30.0
+_NEXT_TOPIC = 6.0
+_OTHER_SUBJECT_FIRST = 0.3
+
+
+class FactChoice:
+    """The facts that can be told next in one turn; lives no longer than the turn."""
+
+    def __init__(self, character: Character, turn: Turn) -> None:
+        self._character = character
+        self._turn = turn
+        told = turn.state.told_of(character.entity.id)
+        self._table = table = _weights(turn.parameters)
+        # A weight for each fact in the order of the file; 0 for what cannot be told now.
+        self._weights = [table[kind] for kind in character.openings]
+        self._open = set(character.by_id)
+        if told:
+            counts = [told.get(key, 0) for key in character.by_id]
+            fewest = min(counts)
+            for place, (key, count) in enumerate(zip(character.by_id, counts, strict=True)):
+                if count != fewest:
+                    self._open.discard(key)
+                    self._weights[place] = 0.0
+            self._unlock(character.prerequisites)
+
+    def _ready(self, key: str) -> bool:
+        """Whether a fact is open and all that must be told before it has been told."""
+        before = self._character.prerequisites.get(key)
+        return key in self._open and (before is None or self._open.isdisjoint(before))
+
+    def take(self, last: Fact | None, index: int) -> Fact | None:
+        """Return the fact to tell after `last`, drawn by weight; None when nothing is open.
+
+        `index` is its place in this utterance: the first one should be about the character.
+        """
+        if not self._open:
+            return None
+        character, weights = self._character, self._weights.copy()
+        places = character.places
+        if last is not None:
+            for place in character.by_topic[last.topic]:
+                weights[place] *= _SAME_TOPIC
+        for place in self._next_topic():
+            weights[place] *= _NEXT_TOPIC
+        if last is not None and last.id in character.related:
+            for key, factor in self._related(last).items():
+                weights[places[key]] *= factor
+        if not index:
+            for place in character.by_others:
+                weights[place] *= _OTHER_SUBJECT_FIRST
+        fact = pick(self._turn.draws.uniform(f"fact/{index}"), character.facts, weights)
+        self._open.discard(fact.id)
+        self._weights[places[fact.id]] = 0.0
+        # What waited for this fact alone can now be told.
+        self._unlock(character.unlocks.get(fact.id, ()))
+        return fact
+
+    def _next_topic(self) -> tuple[int, ...]:
+        """Return the places of the first topic of which something can be told."""
+        for name in self._character.topics:
+            places = self._character.by_topic.get(name, ())
+            if any(self._weights[place] for place in places):
+                return places
+        return ()
+
+    def _unlock(self, keys: Iterable[str]) -> None:
+        """Give those facts their weights that wait for nothing any more."""
+        for key in keys:
+            if self._ready(key):
+                place = self._character.places[key]
+                self._weights[place] = self._table[self._character.kinds[place]]
+
+    def _related(self, last: Fact) -> dict[str, float]:
+        factors: dict[str, float] = {}
+        concessions = 2 * self._turn.parameters["concessions"]
+        for relation in self._character.related[last.id]:
+            other = relation.satellite if relation.nucleus == last.id else relation.nucleus
+            factor = _RELATED[relation.kind]
+            if relation.kind in OPPOSING_KINDS:
+                factor = 1.0 + (factor - 1.0) * concessions
+            factors[other] = max(factor, factors.get(other, 0.0))
+        return factors
+
+
+def _weights(parameters: dict[str, float]) -> list[float]:
+    """Return how readily a fact is told, by its kind: polarity, then strength; 0 if it waits."""
+    liking, extreme = parameters["content_polarity"], parameters["polarization"]
+    good, bad = 2 * liking + 0.05, 2 * (1 - liking) + 0.05
+    extremely, somewhat = 2 * extreme + 0.05, 2 * (1 - extreme) + 0.05
+    # In the order of POLARITIES and STRENGTHS; what waits comes last.
+    return [
+        *(good * somewhat, good, good * extremely),
+        *(somewhat, 1.0, extremely),
+        *(bad * somewhat, bad, bad * extremely),
+        0.0,
+    ]

@@ -1,0 +1,127 @@
+"""Discourse: what ties a sentence to the talk before it, put in front of its first clause.
+
+A setting ("at the trial") opens a topic, a shift ("anyway") leaves one, and "as I said" takes up
+what was told before. All three are ours; compare Reiter & Dale 2000, section 4.3, on discourse
+structure, and Mairesse & Walker 2011, section 4.3, on cue words.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from personage_lite.facts import Character, entity_of
+from personage_lite.operators import Turn
+from personage_lite.plan import ClausePlan, ContentPlan, Decision, SentencePlan, Status, decided
+from personage_lite.sentence_planner import hedges, speech
+from personage_lite.sentence_planner.templates import lead_text
+
+STAGE = "aggregation"
+
+
+def with_openings(
+    sentences: list[SentencePlan], plan: ContentPlan, character: Character, turn: Turn
+) -> tuple[list[SentencePlan], list[Decision]]:
+    """Tie each sentence to what came before it, and open with what the content plan asks for.
+
+    Returns the sentences and the decisions.
+    """
+    placed = [sentences[0]]
+    for earlier, sentence in pairwise(sentences):
+        subject = entity_of(earlier.clauses[-1].clause.subject)
+        if subject:
+            sentence = sentence._replace(subject_before=subject)
+        placed.append(sentence)
+    decisions: list[Decision] = []
+    topic = _topic_before(character, turn)
+    plain = not (plan.mitigation or plan.rejection or plan.confirmation)
+    for index, sentence in enumerate(placed):
+        if sentence.clauses[0].role == "recall":
+            placed[index] = _recalling(sentence, turn)
+        elif sentence.clauses[0].topic != topic:
+            follows = bool(topic) and (index > 0 or plain)
+            placed[index], made = _new_topic(sentence, character, turn, index, follows)
+            decisions += made
+        topic = sentence.clauses[-1].topic
+    if plan.mitigation:
+        rng = turn.rng("competence_mitigation/place")
+        opened = speech.competence_mitigation(placed[0], rng=rng, lexicon=turn.lexicon)
+        placed[0] = opened or placed[0]
+    if plan.rejection:
+        marker = turn.rng("initial_rejection").marker(turn.lexicon.markers["initial_rejection"])
+        if marker is not None:
+            placed[0] = hedges.with_opener(hedges.hedged(placed[0]), marker)
+    if plan.confirmation:
+        rng = turn.rng("request_confirmation")
+        marker = rng.marker(turn.lexicon.markers["request_confirmation"])
+        if marker is not None:
+            words = lead_text(marker.text, character.entity.phrase)
+            placed[0] = placed[0]._replace(answers=marker.after == "?")
+            asked = SentencePlan(fragment=words, terminal=marker.after, words=(marker.text,))
+            placed.insert(0, asked)
+    return placed, decisions
+
+
+def _topic_before(character: Character, turn: Turn) -> str:
+    """Return the topic of what was told last, if it was about the same character."""
+    if turn.state.topic != character.entity.id:
+        return ""
+    last = character.by_id.get(turn.state.last_fact)
+    return last.topic if last is not None else ""
+
+
+def _recalling(sentence: SentencePlan, turn: Turn) -> SentencePlan:
+    """Say of something that it was told before: "As I said, …"."""
+    marker = turn.rng("recall").marker(turn.lexicon.markers["recall"])
+    return sentence if marker is None else hedges.with_opener(sentence, marker)
+
+
+def _new_topic(
+    sentence: SentencePlan, character: Character, turn: Turn, index: int, follows: bool
+) -> tuple[SentencePlan, list[Decision]]:
+    """Open a topic with its setting, or leave the topic before with a word, if drawn.
+
+    `follows` says whether there was a topic before in this talk.
+    """
+    decisions: list[Decision] = []
+    for name in ("setting", "topic_shift"):
+        probability = turn.probability(name)
+        if probability <= 0.0 or (name == "topic_shift" and not follows):
+            continue
+        draw = turn.draws.uniform(f"{name}/{index}")
+        changed = None
+        status: Status = "not_drawn"
+        if draw < probability:
+            if name == "setting":
+                changed = _with_setting(sentence, character)
+            else:
+                changed = _with_shift(sentence, turn, index)
+            status = "not_applicable" if changed is None else "applied"
+        decisions.append(decided(name, STAGE, probability, draw, status, f"sentence {index + 1}"))
+        if changed is not None:
+            return changed, decisions
+    return sentence, decisions
+
+
+def _with_setting(sentence: SentencePlan, character: Character) -> SentencePlan | None:
+    """Put the topic's setting before the first clause; it must hold of all that is said with it."""
+    first = sentence.clauses[0]
+    setting = character.topics[first.topic].setting
+    if setting is None or any(clause.topic != first.topic for clause in sentence.clauses):
+        return None
+    if not _plain_start(first) or sentence.connective:
+        return None
+    clause = first._replace(clause=first.clause._replace(preposed=(setting,)))
+    return sentence._replace(clauses=(clause, *sentence.clauses[1:]))
+
+
+def _plain_start(first: ClausePlan) -> bool:
+    return first.frame is None and first.link == "main" and first.role == "assertion"
+
+
+def _with_shift(sentence: SentencePlan, turn: Turn, index: int) -> SentencePlan | None:
+    """Put a word before the sentence that says that something else comes now: "Anyway, …"."""
+    if not hedges.opener_fits(sentence) or not _plain_start(sentence.clauses[0]):
+        return None
+    rng = turn.rng(f"topic_shift/{index}", set(sentence.words))
+    marker = rng.marker(turn.lexicon.markers["topic_shift"])
+    return None if marker is None else hedges.with_opener(sentence, marker)
