@@ -75,7 +75,7 @@ def _opposite_attributes(character: Character, lexicon: Lexicon) -> Iterator[Dat
         words = frozenset((said.adjective, *synonyms))
         opposite = frozenset(concept.antonyms) if concept else frozenset()
         for other, subject, others, against in seen:
-            if subject != fact.clause.subject:
+            if subject != fact.clause.subject or other.clause == fact.clause:
                 continue
             if opposite & others or against & words:
                 yield _fault(
@@ -112,7 +112,7 @@ def _unsayable(character: Character, lexicon: Lexicon, realizer: Realizer) -> It
         try:
             texts = [realizer.realize(body) for body in bodies]
         except MisreadError as error:
-            yield _fault(character, fact.line, f"'{key}': {error.what}", error.remedy)
+            yield _fault(character, fact.line, error.what, error.remedy)
             continue
         text = texts[0]
         if any("  " in said or " ," in said for said in texts):

@@ -152,9 +152,10 @@ class _Planner:
         ):
             return
         here = {message.fact.id for message in messages}
+        lately = self.turn.state.last_facts
         for relation in self.character.related.get(fact.id, ()):
             other = relation.satellite if relation.nucleus == fact.id else relation.nucleus
-            known = told.get(other) and other not in here and other != self.turn.state.last_fact
+            known = told.get(other) and other not in here and other not in lately
             # The reason and what is conceded come first; a contrast goes both ways.
             before = other == relation.satellite or relation.kind == "contrast"
             if relation.kind in _TELLING and known and before:

@@ -20,9 +20,11 @@ _RELATED = {
     "concession": 10.0,
     "contrast": 10.0,
 }
-# A description stays with its topic; a new one is rather the next of the file's order.
+# A description stays with its topic, and a story once begun comes first; a new topic is rather
+# the next of the file's order.
 _SAME_TOPIC = 30.0
 _NEXT_TOPIC = 6.0
+_STORY = 400.0
 _OTHER_SUBJECT_FIRST = 0.3
 
 
@@ -37,6 +39,7 @@ class FactChoice:
         # A weight for each fact in the order of the file; 0 for what cannot be told now.
         self._weights = [table[kind] for kind in character.openings]
         self._open = set(character.by_id)
+        self._fresh = not told
         if told:
             counts = [told.get(key, 0) for key in character.by_id]
             fewest = min(counts)
@@ -63,11 +66,16 @@ class FactChoice:
         if last is not None:
             for place in character.by_topic[last.topic]:
                 weights[place] *= _SAME_TOPIC
-        for place in self._next_topic():
-            weights[place] *= _NEXT_TOPIC
+        near, factor = self._next_topic()
+        for place in near:
+            weights[place] *= factor
+        if self._fresh and not index:
+            # Who it is comes before all else.
+            kept = set(near)
+            weights = [weight if place in kept else 0.0 for place, weight in enumerate(weights)]
         if last is not None and last.id in character.related:
-            for key, factor in self._related(last).items():
-                weights[places[key]] *= factor
+            for key, nearness in self._related(last).items():
+                weights[places[key]] *= nearness
         if not index:
             for place in character.by_others:
                 weights[place] *= _OTHER_SUBJECT_FIRST
@@ -78,13 +86,21 @@ class FactChoice:
         self._unlock(character.unlocks.get(fact.id, ()))
         return fact
 
-    def _next_topic(self) -> tuple[int, ...]:
-        """Return the places of the first topic of which something can be told."""
-        for name in self._character.topics:
+    def _next_topic(self) -> tuple[tuple[int, ...], float]:
+        """Return the places of the topic that comes next, and how strongly it is preferred.
+
+        That is a story once begun, or the first topic of which something can be told.
+        """
+        found: tuple[int, ...] = ()
+        for name, topic in self._character.topics.items():
             places = self._character.by_topic.get(name, ())
-            if any(self._weights[place] for place in places):
-                return places
-        return ()
+            left = [place for place in places if self._weights[place]]
+            if not left:
+                continue
+            if topic.in_order and left[0] != places[0]:
+                return places, _STORY
+            found = found or places
+        return found, _NEXT_TOPIC
 
     def _unlock(self, keys: Iterable[str]) -> None:
         """Give those facts their weights that wait for nothing any more."""

@@ -31,6 +31,8 @@ from personage_lite.realizer.specification import (
 from personage_lite.yaml_reader import Node, read_yaml
 
 ENTITIES_FILE = "entities.yaml"
+_LONGEST_NAME = 80
+_MARKS_IN_NAMES = " '’.,-&()!"
 
 
 def identifier(name: str) -> str:
@@ -165,8 +167,10 @@ def _read_entities(node: Node, found: dict[str, Entity]) -> None:
         if key in found:
             raise item.fault(f"the entity '{key}' is described twice", "keep one of the two")
         name = item.need("name").text()
-        if not any(letter.isalpha() for letter in name) or len(name) > 80:
-            raise item.need("name").fault("this is no name", "write a name of up to 80 letters")
+        if not _sayable(name):
+            raise item.need("name").fault(
+                f"'{shown(name)}' is no name", "write one of up to 80 letters, without symbols"
+            )
         found[key] = entity(
             key,
             name,
@@ -179,6 +183,18 @@ def _read_entities(node: Node, found: dict[str, Entity]) -> None:
             nouns=item.texts_of("nouns"),
         )
         item.done()
+
+
+def _sayable(name: str) -> bool:
+    """Whether a name is made of letters, with the digits and marks that names can have."""
+    if not any(letter.isalpha() for letter in name) or len(name) > _LONGEST_NAME:
+        return False
+    odd = [sign for sign in name if not (sign.isalnum() or sign in _MARKS_IN_NAMES)]
+    if not odd:
+        return True
+    from unicodedata import category  # Here, because few names need it.
+
+    return all(category(sign).startswith("M") for sign in odd)  # vowel signs and accents
 
 
 def _topics(node: Node, reader: FactReader) -> dict[str, Topic]:

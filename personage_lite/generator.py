@@ -126,10 +126,11 @@ class Generator:
         text = " ".join([self.realizer.realize(sentence) for sentence in planned.sentences])
 
         opened = {d.operator for d in decisions if d.status == "applied"}
-        recalled = {message.fact.id for message in content.messages if message.role == "recall"}
+        recalled = content.recalled
+        told = tuple([fact for fact in planned.facts if fact not in recalled])
         after = state.after(
             about.entity.id,
-            tuple(fact for fact in planned.facts if fact not in recalled),
+            told,
             planned.markers | opened,
             planned.mentioned,
             planned.focus,
@@ -141,7 +142,8 @@ class Generator:
             x=x,
             seed=seed,
             turn=state.turn,
-            facts=planned.facts,
+            facts=told,
+            recalled=recalled,
             parameters=parameters,
             decisions=(*decisions, *planned.decisions),
             plan=content,

@@ -27,7 +27,7 @@ class Marker(NamedTuple):
     `lean` in [-1, 1] says who uses them, introverts (-1) or extraverts (1). For cue words,
     `attach` is how they join, `role` which side they introduce, and `own_subject` keeps the
     subject of the joined clause from being left out. `verbs`, if any, are the only ones that the
-    marker goes with; `first` is the degree of what a restatement says again; `polarity`,
+    marker goes with; `states` keeps a cue word from deeds; `first` is the degree of what a restatement says again; `polarity`,
     if any, is the only news that it goes with.
     """
 
@@ -39,6 +39,7 @@ class Marker(NamedTuple):
     attach: str = ""
     role: str = ""
     own_subject: bool = False
+    states: bool = False
     verbs: tuple[str, ...] = ()
     first: str = ""
     polarity: str = ""
@@ -172,6 +173,7 @@ def _marker(item: Node, kind: str, places: tuple[str, ...]) -> Marker:
         attach=item.need("attach").choice(ATTACHMENTS) if cue else "",
         role=item.choice_of("role", ("nucleus", "satellite"), ""),
         own_subject=item.flag_of("own_subject"),
+        states=item.flag_of("states"),
         verbs=item.texts_of("verbs"),
         first=item.text_of("first"),
         polarity=item.choice_of("polarity", POLARITIES, ""),

@@ -78,6 +78,11 @@ class ContentPlan(NamedTuple):
     rejection: bool = False
     mitigation: bool = False
 
+    @property
+    def recalled(self) -> tuple[str, ...]:
+        """The facts that are taken up from an earlier turn."""
+        return tuple([message.fact.id for message in self.messages if message.role == "recall"])
+
 
 class Frame(NamedTuple):
     """The template a clause is said in: a lead with "that" or "how", or "someone who"."""
@@ -136,8 +141,9 @@ class SentencePlan(NamedTuple):
 class Utterance(NamedTuple):
     """One turn: the text and all that explains it.
 
-    `facts` are the ids of the facts stated, in order; `state` is the conversation afterwards;
-    `sentences` is what the realizer was given.
+    `facts` are the ids of the facts stated, in order, `recalled` those that are taken up from an
+    earlier turn ("as I said, …"); `state` is the conversation afterwards; `sentences` is what the
+    realizer was given.
     """
 
     text: str
@@ -146,6 +152,7 @@ class Utterance(NamedTuple):
     seed: int
     turn: int
     facts: tuple[str, ...]
+    recalled: tuple[str, ...]
     parameters: dict[str, float]
     decisions: tuple[Decision, ...]
     plan: ContentPlan
@@ -161,6 +168,7 @@ class Utterance(NamedTuple):
             "seed": self.seed,
             "turn": self.turn,
             "facts": list(self.facts),
+            "recalled": list(self.recalled),
             "parameters": {name: round(value, 4) for name, value in self.parameters.items()},
             "decisions": [
                 {

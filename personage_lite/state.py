@@ -21,7 +21,7 @@ class ConversationState(NamedTuple):
 
     `told` counts, by character, how often each fact was told. `recent` holds, for each of the
     last turns, the operators applied and the marker words used; `worn` in how many of those turns
-    each was. `topic` is the character of the last turn and `last_fact` what was told last.
+    each was. `topic` is the character of the last turn and `last_facts` what was told in it.
     `introduced` are the entities named so far; `focus` those of the last sentence, and
     `focus_subject` the one that its last clause was about.
     """
@@ -31,10 +31,15 @@ class ConversationState(NamedTuple):
     recent: tuple[frozenset[str], ...] = ()
     worn: Mapping[str, int] = _NOTHING
     topic: str = ""
-    last_fact: str = ""
+    last_facts: tuple[str, ...] = ()
     introduced: frozenset[str] = frozenset()
     focus: frozenset[str] = frozenset()
     focus_subject: str = ""
+
+    @property
+    def last_fact(self) -> str:
+        """What was told last; empty at the start."""
+        return self.last_facts[-1] if self.last_facts else ""
 
     def told_of(self, character: str) -> Mapping[str, int]:
         """Return how often each fact about a character was told."""
@@ -64,7 +69,7 @@ class ConversationState(NamedTuple):
             recent=recent,
             worn=MappingProxyType(worn),
             topic=character,
-            last_fact=facts[-1] if facts else "",
+            last_facts=facts,
             introduced=self.introduced | introduced,
             focus=focus,
             focus_subject=focus_subject,

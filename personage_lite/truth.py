@@ -52,7 +52,7 @@ def truth_faults(utterance: Utterance, character: Character, lexicon: Lexicon) -
     faults = checker.faults
     faults += [f"not stated: {key}" for key in sorted(planned - stated)]
     faults += [f"not planned: {key}" for key in sorted(stated - planned)]
-    if planned != set(utterance.facts):
+    if planned != {*utterance.facts, *utterance.recalled}:
         faults.append("the record's facts are not those planned")
     return faults
 

@@ -77,8 +77,38 @@ def test_what_a_file_says_is_read(tmp_path: Path) -> None:
         ("about: b\nfacts: []\n", 1, "'b' is not the file's name; write about: a"),
         ("about: a\nfacts: []\n", 1, "no entity 'a'; describe it under 'entities:' here or in"),
         (HEAD + KIND + "colour: red\n", 7, "unknown field 'colour'"),
-        (HEAD.replace("Ann", "'7'"), 3, "this is no name; write a name of up to 80 letters"),
-        (HEAD.replace("Ann", "A" * 81), 3, "this is no name"),
+        (HEAD.replace("Ann", "'7'"), 3, "'7' is no name; write one of up to 80 letters"),
+        (HEAD.replace("Ann", "A" * 81), 3, f"'{'A' * 40}…' is no name"),
+        (HEAD.replace("Ann", "A" * 10_000), 3, f"'{'A' * 40}…' is no name"),
+        (
+            HEAD.replace("Ann", "Ann 🎩"),
+            3,
+            "'Ann 🎩' is no name; write one of up to 80 letters, wit",
+        ),
+        (HEAD.replace("{name: Ann}", "{gender: feminine}"), 3, "'name' is missing; add 'name: …'"),
+        (
+            HEAD.replace("facts:", "topics: {looks: {}}\nfacts:") + KIND,
+            7,
+            "no topic 'nature'; list",
+        ),
+        (
+            HEAD.replace("facts:", "topics: {nature: {seting: x}}\nfacts:") + KIND,
+            5,
+            "unknown field",
+        ),
+        (
+            HEAD.replace("facts:", "topics: {nature: {setting: 'at {c}'}}\nfacts:") + KIND,
+            5,
+            "no entity 'c'",
+        ),
+        (
+            HEAD.replace("facts:", "topics: {nature: {in_order: true}}\nfacts:")
+            + KIND
+            + TALL
+            + "relations:\n  - {kind: elaboration, nucleus: tall, satellite: kind}\n",
+            10,
+            "or 'in_order' of a topic",
+        ),
         (HEAD.replace("  b:", "  B:") + KIND, 4, "'B' is no id; use small letters, digits and _"),
         (HEAD.replace("  b:", "  a:") + KIND, 4, "the key 'a' stands here a second time; remove"),
         (HEAD + "  []\n", 6, "there is no fact; add at least one"),
@@ -237,3 +267,99 @@ def _read(path: Path) -> bool:
         check_message(error)
         return False
     return True
+
+
+def test_names_in_other_scripts_are_names(tmp_path: Path) -> None:
+    """Letters, vowel signs and accents of any script; no emoji."""
+    for name in ("Жабб", "नीला", "Zoë O’Hara", "R2-D2", "Mr. Smith & Co. (2)"):
+        path = _write(tmp_path, HEAD.replace("Ann", f'"{name}"') + KIND)
+        assert read_character(path).entity.name == name
+
+
+TOPICS = "topics:\n  story: {setting: at noon, in_order: true}\n  looks: {}\nfacts:\n"
+
+
+def test_topics(tmp_path: Path) -> None:
+    """Their order is the file's, and what is told in order waits for what stands before it."""
+    path = _write(
+        tmp_path,
+        HEAD.replace("facts:\n", TOPICS)
+        + KIND.replace("nature", "looks")
+        + "".join(f"  - {{id: {key}, predicate: {key}, topic: story}}\n" for key in ("go", "run")),
+    )
+    about = read_character(path)
+    assert list(about.topics) == ["story", "looks"]
+    setting = about.topics["story"].setting
+    assert setting is not None
+    assert setting.parts == ("at noon",)
+    assert about.prerequisites == {"run": ("go",)}
+    assert about.unlocks == {"go": ("run",)}
+    assert check_path(path).faults == []
+
+
+@pytest.mark.parametrize(
+    ("facts", "relations", "line", "message"),
+    [
+        (KIND + KIND.replace("kind,", "mild,", 1), "", 7, "'mild' says the same as 'kind'"),
+        (
+            KIND + KIND.replace("kind, attribute: kind", "cruel, attribute: cruel"),
+            "",
+            7,
+            "'cruel' contradicts 'kind'; remove one of the two, or choose",
+        ),
+        (
+            KIND + KIND.replace("kind, attribute: kind", "nice, attribute: kind-hearted"),
+            "",
+            7,
+            "'nice' can be said in the words of 'kind' (kind-hearted); choose another",
+        ),
+        (
+            KIND + TALL,
+            "  - {kind: justification, nucleus: kind, satellite: tall}\n"
+            "  - {kind: concession, nucleus: kind, satellite: tall}\n",
+            10,
+            "concession of 'kind' and 'tall' goes against the justification",
+        ),
+        (
+            KIND + TALL,
+            "  - {kind: justification, nucleus: kind, satellite: tall}\n"
+            "  - {kind: justification, nucleus: tall, satellite: kind}\n",
+            10,
+            "justification of 'tall' and 'kind' goes against the justification",
+        ),
+        (
+            KIND.replace("}", ", chapter: 4}") + TALL.replace("}", ", chapter: 3}"),
+            "  - {kind: sequence, nucleus: kind, satellite: tall}\n",
+            9,
+            "'tall' (chapter 3) is told after 'kind' (chapter 4)",
+        ),
+        (
+            KIND.replace("}", ", polarity: good}") + TALL.replace("}", ", polarity: bad}"),
+            "  - {kind: restatement, nucleus: kind, satellite: tall}\n",
+            9,
+            "'kind' is good news and its restatement 'tall' bad",
+        ),
+        (
+            f"  - {{id: long, predicate: say, object: {'very ' * 25}much, topic: nature}}\n",
+            "",
+            6,
+            "'long' takes 28 words; make it two facts",
+        ),
+    ],
+)
+def test_what_check_finds_in_right_files(
+    facts: str, relations: str, line: int, message: str, tmp_path: Path
+) -> None:
+    """Reading takes it; `check` names file, line and remedy."""
+    path = _write(tmp_path, HEAD + facts + ("relations:\n" + relations if relations else ""))
+    assert read_character(path).entity.id == "a"
+    faults = check_path(path).faults
+    assert len(faults) == 1
+    assert faults[0].startswith(f"{path}:{line}: {message}"), faults
+
+
+def test_a_topic_without_facts_is_found(tmp_path: Path) -> None:
+    path = _write(tmp_path, HEAD.replace("facts:", "topics: {nature: {}, war: {}}\nfacts:") + KIND)
+    assert check_path(path).faults == [
+        f"{path}:5: no fact has the topic 'war'; remove it, or give it to facts"
+    ]

@@ -382,6 +382,8 @@ def near_oaths(said: Utterance) -> list[float]:
 class Probe(NamedTuple):
     """How a parameter shows: what is measured, in which setting, and by how much it must rise.
 
+    It is measured in that turn of a conversation.
+
     With `never`, it must be 0 throughout where the parameter is 0.
     """
 
@@ -391,6 +393,7 @@ class Probe(NamedTuple):
     setting: dict[str, float] = {}  # noqa: RUF012 - read only
     rating: Rating = "mild"
     seeds: int = SEEDS
+    turn: int = 1
 
 
 # So much verbosity makes just two facts, always.
@@ -551,16 +554,25 @@ PROBES: dict[str, Probe] = {
         seeds=200,
     ),
     "contractions": Probe(contractions, 0.4, never=False, setting=SOME),
+    # Discourse
+    "setting": Probe(
+        lambda said: [float(any(clause.preposed for clause in clauses(said)))], 0.1, turn=3
+    ),
+    "topic_shift": Probe(count(openers, "topic_shift"), 0.1, setting=SOME, turn=3),
+    "recall": Probe(lambda said: [float(len(said.recalled))], 0.2, setting=SOME, turn=4),
 }
 
 
 def spoken(parameter: str, value: float, probe: Probe, rating: Rating = "mild") -> list[Utterance]:
     """Return a sample of utterances with one parameter at a value."""
     overrides = {**probe.setting, parameter: value}
-    return [
-        GENERATOR.generate(CHARACTERS[seed % 3], 0, seed, overrides=overrides, rating=rating)
+    talks = (
+        GENERATOR.turns(
+            CHARACTERS[seed % 3], 0, seed, count=probe.turn, overrides=overrides, rating=rating
+        )
         for seed in range(probe.seeds)
-    ]
+    )
+    return [list(talk)[-1] for talk in talks]
 
 
 def test_every_parameter_has_a_probe() -> None:

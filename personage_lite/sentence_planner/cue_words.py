@@ -13,6 +13,7 @@ from personage_lite.sentence_planner.joining import (
     Joint,
     Pair,
     coordinate,
+    describes,
     extend,
     plain,
 )
@@ -39,6 +40,13 @@ def _joined(pair: Pair, cue: Marker, rng: OperatorDraws) -> Joint | None:
         introduced = pair.last
     if pair.link.kind == "justification" and len(pair.left.clauses) > 1:
         return None  # the reason, or what it explains, would be taken for all that came before
+    if pair.last.link == "relative":
+        return None  # what comes would be set against the main clause
+    if len(pair.last.facts) > 1 and pair.link.kind in ("justification", "concession"):
+        return None  # only one of two merged qualities is the reason, or is conceded
+    deeds = not (describes(pair.last) and describes(pair.right))
+    if cue.states and deeds:
+        return None
     if cue.attach in ("coordinate", "connective"):
         turned = pair if introduced is pair.right else _turned(pair)
         if turned is None:

@@ -16,6 +16,8 @@ SOFTENED, EMPHASIZED = "softened", "emphasized"
 # Said with a doubt around it: no second doubt there, and nothing loud.
 HEDGED = "hedged"
 _MOST_OPENERS = 1
+# The smallest number that "around" goes before.
+_GUESSED = 10
 # Operators look at the clauses in the order they are spoken and change the first that fits.
 _SAID = ("main", "coordinate", "subordinate", "fronted")
 
@@ -75,7 +77,9 @@ def _starts_with_number(clause: ClausePlan, lexicon: Lexicon) -> bool:
     first = said.parts[0] if isinstance(said, Text) else ""
     word = first.split(" ", 1)[0] if isinstance(first, str) else ""
     numerals = lexicon.grammar.numerals
-    return word.isdigit() or word in numerals.units[2:] or word in numerals.tens
+    # Nobody says "around three": a small number is counted, not guessed.
+    large = word.isdigit() and int(word) >= _GUESSED
+    return large or word in numerals.units[_GUESSED:] or word in numerals.tens
 
 
 def hedged(plan: SentencePlan) -> SentencePlan:
@@ -101,6 +105,8 @@ def softened(
                 if m.place in places
                 and (not m.verbs or verb in m.verbs)
                 and m.polarity in ("", clause.polarity)
+                # Not "slightly" of what is extremely so.
+                and not (m.polarity and clause.strength == "extremely")
                 # Not "kind of kind".
                 and (adjective is None or adjective not in m.text.split(" "))
             ]

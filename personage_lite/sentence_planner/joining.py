@@ -10,6 +10,7 @@ from typing import NamedTuple, Protocol, TypeAlias
 from personage_lite.lexicon import Lexicon, Marker
 from personage_lite.operators import OperatorDraws
 from personage_lite.plan import ClausePlan, Link, SentencePlan
+from personage_lite.realizer.specification import Cased
 
 # The most clauses in a sentence, where a cue word binds them and where only "and" does.
 MOST_CUED = 3
@@ -104,7 +105,10 @@ def _frame_fits(pair: Pair) -> bool:
         return False
     if pair.link.kind in ("justification", "sequence"):
         return False
-    last = frame.lead.parts[-1] if frame.lead is not None else ""
+    lead = frame.lead.parts if frame.lead is not None else ()
+    if any(isinstance(part, Cased) for part in lead):
+        return False  # not "…, but one thing to know about him is …"
+    last = lead[-1] if lead else ""
     return not (isinstance(last, str) and last.endswith(","))
 
 

@@ -26,8 +26,8 @@ def negation(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> Sen
             continue
         if not isinstance(said, AdjectivePhrase) or said.adverbs or clause.marks:
             continue
-        if clause.role != "assertion":
-            continue
+        if clause.role != "assertion" or clause.clause.adverbs or clause.clause.verb != "be":
+            continue  # not "he isn't also rude", "he doesn't stay nervous"
         if clause.frame is not None:
             continue  # not "I love how she isn't dull"
         concept = lexicon.adjectives.get(said.adjective)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from personage_lite.facts import Character, Fact
+from personage_lite.facts import Character, Fact, entity_of
 from personage_lite.lexicon import TOPIC, Lexicon, Template
 from personage_lite.operators import OperatorDraws, Turn
 from personage_lite.plan import ClausePlan, ContentPlan, Decision, Frame, Status, decided
@@ -70,7 +70,8 @@ def fits(template: Template, plan: ClausePlan) -> bool:
         return plan.gradable and not clause.negated and plan.strength != "somewhat"
     if form == "someone_who":
         # Someone who is kind; not "someone who is a little girl", "who falls down a well".
-        return plan.gradable and not clause.negated
+        alone = not isinstance(clause.subject, NounPhrase) or clause.subject.number == "singular"
+        return plan.gradable and alone and not clause.negated
     # "I love that she loves …" says the same word twice.
     if clause.verb in template.lead.split(" "):
         return False
@@ -131,7 +132,8 @@ def select_templates(
                 status = "not_applicable"
                 template = None
                 if not framed_before and clause.frame is None:
-                    template = _choose(name, clause, used, turn, turn.rng(f"{name}/{index}"))
+                    rng = turn.rng(f"{name}/{index}")
+                    template = _choose(name, clause, used, turn, rng, character.entity.id)
                 if template is not None:
                     clause = framed(clause, template, turn.lexicon, character.entity.phrase)
                     used.extend((template.name, name))
@@ -143,9 +145,17 @@ def select_templates(
 
 
 def _choose(
-    parameter: str, clause: ClausePlan, used: list[str], turn: Turn, rng: OperatorDraws
+    parameter: str,
+    clause: ClausePlan,
+    used: list[str],
+    turn: Turn,
+    rng: OperatorDraws,
+    topic: str,
 ) -> Template | None:
-    """Choose among the templates that fit, by lean, freshness and connotation."""
+    """Choose among the templates that fit, by lean, freshness and connotation.
+
+    One that names the character, `topic`, goes only with what is about them.
+    """
     if clause.role != "assertion":
         return None
     able = [
@@ -154,6 +164,7 @@ def _choose(
         # First what most templates fail.
         if template.polarity in ("", clause.polarity)
         and template.name not in used
+        and (TOPIC not in template.lead or entity_of(clause.clause.subject) == topic)
         and fits(template, clause)
     ]
     if not able:
