@@ -208,7 +208,7 @@ def test_folders(tmp_path: Path) -> None:
     ("name", "message"),
     [
         ("alcie", "no character 'alcie'; did you mean alice?"),
-        ("😀", "no character '😀'; choose from: alice, queen_of_hearts, white_rabbit"),
+        ("😀", "no character '😀'; choose from: alice, bill, caterpillar"),
         ("", "no character ''; choose from"),
         ("x" * 10_000, f"no character '{'x' * 40}…'; choose from"),
         ("al\nice", "no character 'al ice'; did you mean alice?"),

@@ -379,6 +379,12 @@ def near_oaths(said: Utterance) -> list[float]:
     return count(lambda one: degrees(one) + openers(one), "near_expletives")(said)
 
 
+def disclaimable(said: Utterance) -> bool:
+    """Whether an utterance begins with new news, good or bad."""
+    first = said.plan.messages[0]
+    return first.role == "assertion" and first.fact.polarity != "neutral"
+
+
 class Probe(NamedTuple):
     """How a parameter shows: what is measured, in which setting, and by how much it must rise.
 
@@ -393,7 +399,7 @@ class Probe(NamedTuple):
     setting: dict[str, float] = {}  # noqa: RUF012 - read only
     rating: Rating = "mild"
     seeds: int = SEEDS
-    turn: int = 1
+    turn: int = 2
 
 
 # So much verbosity makes just two facts, always.
@@ -458,8 +464,14 @@ PROBES: dict[str, Probe] = {
     ),
     "polarization": Probe(extremes, 0.4, never=False, setting=SOME),
     "positive_content_first": Probe(good_first, 0.3, never=False, setting=SOME),
-    "request_confirmation": Probe(confirmations, 0.9),
-    "initial_rejection": Probe(rejections, 0.9, setting={"request_confirmation": 0.0}),
+    "request_confirmation": Probe(confirmations, 0.9, turn=1),
+    "initial_rejection": Probe(
+        # Nobody disclaims a plain neutral fact, nor what was told before.
+        lambda said: rejections(said) if disclaimable(said) else [],
+        0.9,
+        setting={"request_confirmation": 0.0},
+        turn=1,
+    ),
     "competence_mitigation": Probe(
         mitigations, 0.8, setting={"initial_rejection": 0.0, "self_references": 0.0}
     ),

@@ -35,7 +35,8 @@ def with_openings(
     topic = _topic_before(character, turn)
     plain = not (plan.mitigation or plan.rejection or plan.confirmation)
     for index, sentence in enumerate(placed):
-        if sentence.clauses[0].role == "recall":
+        again = not index and _told_before(sentence, character, turn)
+        if again or sentence.clauses[0].role == "recall":
             placed[index] = _recalling(sentence, turn)
         elif sentence.clauses[0].topic != topic:
             follows = bool(topic) and (index > 0 or plain)
@@ -59,6 +60,13 @@ def with_openings(
             asked = SentencePlan(fragment=words, terminal=marker.after, words=(marker.text,))
             placed.insert(0, asked)
     return placed, decisions
+
+
+def _told_before(sentence: SentencePlan, character: Character, turn: Turn) -> bool:
+    """Whether the talk goes round again, and this is drawn to be said of the turn's first fact."""
+    told = turn.state.told_of(character.entity.id)
+    again = sentence.clauses[0].facts[0] in told and _plain_start(sentence.clauses[0])
+    return again and turn.draws.uniform("recall/again") < turn.probability("recall")
 
 
 def _topic_before(character: Character, turn: Turn) -> str:
