@@ -27,8 +27,8 @@ class Marker(NamedTuple):
     `lean` in [-1, 1] says who uses them, introverts (-1) or extraverts (1). For cue words,
     `attach` is how they join, `role` which side they introduce, and `own_subject` keeps the
     subject of the joined clause from being left out. `verbs`, if any, are the only ones that the
-    marker goes with; `states` keeps a cue word from deeds; `first` is the degree of what a restatement says again; `polarity`,
-    if any, is the only news that it goes with.
+    marker goes with; `states` keeps a cue word from deeds; `first` is the degree of what a
+    restatement says again; `polarity`, if any, is the only news that it goes with.
     """
 
     text: str

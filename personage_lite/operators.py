@@ -17,7 +17,7 @@ from personage_lite.state import ConversationState, damping
 
 T = TypeVar("T")
 # How strongly X pulls the choice of a word towards its lean: a factor e^(lean * X * pull).
-_PULL = 1.8
+_PULL = 2.2
 # What is left of a word's weight for each of the last turns that used it.
 _WORN = 0.25
 

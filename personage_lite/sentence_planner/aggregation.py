@@ -36,6 +36,7 @@ from personage_lite.sentence_planner.joining import (
     coordinate,
     describes,
     extend,
+    kind_of,
     opposed,
     plain,
     replace_last,
@@ -59,7 +60,7 @@ def conjunction(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | 
         return None
     if opposed(pair.last, pair.right) or pair.last.topic != pair.right.topic:
         return None
-    if pair.link.kind == "infer" and describes(pair.last) != describes(pair.right):
+    if pair.link.kind == "infer" and kind_of(pair.last) != kind_of(pair.right):
         return None  # not "she's watchful and makes some tarts"
     cue = rng.marker(lexicon.markers["conjunction"])
     return coordinate(pair, cue, rng, MOST_UNCUED) if cue else None
@@ -186,7 +187,7 @@ def also_cue_word(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint 
     right = pair.right
     if not same_subject(pair.last, right) or not plain(right) or right.clause.adverbs:
         return None
-    if pair.last.topic != right.topic or describes(pair.last) != describes(right):
+    if pair.last.topic != right.topic or kind_of(pair.last) != kind_of(right):
         return None
     if right.clause.negated or opposed(pair.last, right):
         return None
@@ -260,7 +261,7 @@ COMPETING: dict[str, tuple[Joiner, ...]] = {
     "elaboration": (
         Joiner("period", period, 0.6),
         Joiner("conjunction", conjunction, 0.6),
-        Joiner("relative_clause", relative_clause, 1.5, embedding=True),
+        Joiner("relative_clause", relative_clause, 5.0, embedding=True),
         Joiner("with_cue_word", with_cue_word, embedding=True),
     ),
     "contrast": (

@@ -5,6 +5,7 @@ Source: Mairesse & Walker 2011, section 4.3.
 
 from __future__ import annotations
 
+from personage_lite.facts import OPPOSING_KINDS
 from personage_lite.lexicon import Lexicon, Marker
 from personage_lite.operators import OperatorDraws
 from personage_lite.plan import SentencePlan
@@ -42,6 +43,8 @@ def _joined(pair: Pair, cue: Marker, rng: OperatorDraws) -> Joint | None:
         return None  # the reason, or what it explains, would be taken for all that came before
     if pair.last.link == "relative":
         return None  # what comes would be set against the main clause
+    if pair.link.kind in OPPOSING_KINDS and any(clause.cue for clause in pair.left.clauses):
+        return None  # one turn a sentence: not "…, but …, yet …"
     if len(pair.last.facts) > 1 and pair.link.kind in ("justification", "concession"):
         return None  # only one of two merged qualities is the reason, or is conceded
     deeds = not (describes(pair.last) and describes(pair.right))

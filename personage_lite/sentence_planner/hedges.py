@@ -16,6 +16,8 @@ SOFTENED, EMPHASIZED = "softened", "emphasized"
 # Said with a doubt around it: no second doubt there, and nothing loud.
 HEDGED = "hedged"
 _MOST_OPENERS = 1
+# "Actually" before a deed soon tires: how often it is said where it fits.
+_DEEDS_STRESSED = 0.4
 # The smallest number that "around" goes before.
 _GUESSED = 10
 # Operators look at the clauses in the order they are spoken and change the first that fits.
@@ -220,7 +222,7 @@ def emphasizer_hedges(
                 if marker.place in places and (not marker.verbs or verb in marker.verbs)
             ]
         )
-        if marker is None:
+        if marker is None or (marker.place == "alone" and rng.uniform("alone") >= _DEEDS_STRESSED):
             continue
         if marker.place == "degree":
             return replaced(plan, index, with_degree(clause, marker.text, EMPHASIZED), marker.text)
@@ -242,12 +244,12 @@ def _stress_places(plan: SentencePlan, index: int) -> set[str]:
     if index == 0 and not plan.first and opener_fits(plan):
         if isinstance(spec.complement, AdjectivePhrase) and clause.frame is None:
             places.add("opener")
-        if clause.polarity != "neutral":
+        if clause.polarity != "neutral" and not isinstance(spec.complement, AdjectivePhrase):
             places.add("news")
     weak = spec.verb in ("be", "have") or spec.quotation
     if not weak and pause_fits(clause) and not any(map(_is_adverb, spec.adverbials)):
         places.add("middle")
-        if len(plan.clauses) == 1:
+        if len(plan.clauses) == 1 and clause.polarity != "neutral":
             places.add("alone")
     return places
 

@@ -10,7 +10,7 @@ from typing import NamedTuple, Protocol, TypeAlias
 from personage_lite.lexicon import Lexicon, Marker
 from personage_lite.operators import OperatorDraws
 from personage_lite.plan import ClausePlan, Link, SentencePlan
-from personage_lite.realizer.specification import Cased
+from personage_lite.realizer.specification import AdjectivePhrase, Cased
 
 # The most clauses in a sentence, where a cue word binds them and where only "and" does.
 MOST_CUED = 3
@@ -110,6 +110,16 @@ def _frame_fits(pair: Pair) -> bool:
         return False  # not "…, but one thing to know about him is …"
     last = lead[-1] if lead else ""
     return not (isinstance(last, str) and last.endswith(","))
+
+
+def kind_of(plan: ClausePlan) -> str:
+    """Return whether a clause names a quality, another state, or a deed.
+
+    Only clauses of one kind are joined by "and" alone: not "he is made of cardboard and shy".
+    """
+    if not describes(plan):
+        return "deed"
+    return "quality" if isinstance(plan.clause.complement, AdjectivePhrase) else "state"
 
 
 def describes(plan: ClausePlan) -> bool:

@@ -66,6 +66,9 @@ def fits(template: Template, plan: ClausePlan) -> bool:
         template.emphatic or (template.hedging and form == "clause")
     ):
         return False  # nobody has a view on whether she is a little girl
+    quality = isinstance(clause.complement, AdjectivePhrase)
+    if template.emphatic and quality and plan.strength != "extremely":
+        return False  # much ado about a plain word
     if form == "exclamative":
         return plan.gradable and not clause.negated and plan.strength != "somewhat"
     if form == "someone_who":
@@ -123,7 +126,9 @@ def select_templates(
     for index, message in enumerate(plan.messages):
         clause = plain[message.fact.id]
         if message.role != "assertion":
-            clause = clause._replace(role=message.role)
+            # What was said before is not doubted now, nor cried out.
+            marks = (*clause.marks, HEDGED) if message.role == "recall" else clause.marks
+            clause = clause._replace(role=message.role, marks=marks)
         target = f"message {index + 1}"
         for name, probability, row in offers:
             draw = row[index]
