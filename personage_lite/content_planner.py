@@ -106,9 +106,13 @@ class _Planner:
         return stressed
 
     def order(self, facts: list[Fact]) -> list[Fact]:
-        """Put good news first, if drawn, moving linked facts together and never out of order."""
+        """Put good news of a topic first, if drawn, moving linked facts together.
+
+        Stories keep their order, and who it is stays in front.
+        """
         if len(facts) < 2 or not self.decide("positive_content_first"):
             return facts
+        fresh = not self.turn.state.told_of(self.character.entity.id)
         units: list[list[Fact]] = [[facts[0]]]
         for left, right in pairwise(facts):
             if self.link(left, right).kind in ("infer", "none"):
@@ -116,11 +120,12 @@ class _Planner:
             else:
                 units[-1].append(right)
         value = {"good": 0, "neutral": 1, "bad": 2}
-        units.sort(key=lambda unit: sum(value[fact.polarity] for fact in unit) / len(unit))
-        ordered = [fact for unit in units for fact in unit]
-        topics = [topic for topic, _ in groupby(fact.topic for fact in ordered)]
-        if len(topics) != len(set(topics)):
-            return facts  # a topic once left does not come back
+        ordered = units.pop(0) if fresh else []
+        for topic, run in groupby(units, key=lambda unit: unit[0].topic):
+            told = list(run)
+            if not self.character.topics[topic].in_order:
+                told.sort(key=lambda unit: sum(value[fact.polarity] for fact in unit) / len(unit))
+            ordered += [fact for unit in told for fact in unit]
         place = {fact.id: index for index, fact in enumerate(ordered)}
         for fact in ordered:
             for first in self.character.prerequisites.get(fact.id, ()):

@@ -61,6 +61,7 @@ class Template(NamedTuple):
     inner_tag: bool
     emphatic: bool
     hedging: bool
+    only: str
     marker: Marker
 
 
@@ -199,6 +200,7 @@ def _read_templates(node: Node) -> tuple[dict[str, tuple[Template, ...]], dict[s
             inner_tag=item.choice_of("tag", ("inner",), "") == "inner",
             emphatic=item.flag_of("emphatic"),
             hedging=item.flag_of("hedging"),
+            only=item.choice_of("only", ("states", "deeds", "habits"), ""),
             marker=Marker(
                 name,
                 lean=item.number_of("lean", -1, 1, 0.0),

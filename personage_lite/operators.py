@@ -7,7 +7,7 @@ does not hold. It never sees its own probability. Source: Mairesse & Walker 2011
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence, Set
-from math import exp
+from math import exp, log
 from typing import NamedTuple, Protocol, TypeVar
 
 from personage_lite.lexicon import Lexicon, Marker, Rating
@@ -18,6 +18,9 @@ from personage_lite.state import ConversationState, damping
 T = TypeVar("T")
 # How strongly X pulls the choice of a word towards its lean: a factor e^(lean * X * pull).
 _PULL = 2.2
+# Words whose weight at an X is less are not said there at all.
+LEAST_WEIGHT = 0.08
+_LEAST_LEAN = log(LEAST_WEIGHT) / _PULL
 # What is left of a word's weight for each of the last turns that used it.
 _WORN = 0.25
 
@@ -51,7 +54,8 @@ class OperatorDraws:
     def marker(self, markers: Sequence[Marker]) -> Marker | None:
         """Return a marker that suits X, rather a fresh one; None if this utterance has used all."""
         used = self._used
-        able = [marker for marker in markers if marker.text not in used] if used else markers
+        x = self._turn.x
+        able = [m for m in markers if m.text not in used and m.lean * x >= _LEAST_LEAN]
         if len(able) < 2:
             return able[0] if able else None
         return pick(self.uniform("marker"), able, self.weights(able))

@@ -16,6 +16,10 @@ LinkKind: TypeAlias = Literal[
 ]
 
 
+# What says how something is or what it has, and not what it does.
+STATES: tuple[str, ...] = ("be", "have")
+
+
 class Decision(NamedTuple):
     """One decision of the generator: what was drawn, with which chance, and what came of it.
 
@@ -96,8 +100,9 @@ class Frame(NamedTuple):
 class ClausePlan(NamedTuple):
     """One clause of a sentence plan, with what the operators' constraints ask about.
 
-    `link` says how it joins the sentence, with the cue word `cue`; a `fronted` clause belongs to
-    the main clause after it, all others to the main clause before.
+    `story` marks a step of what is told in order. `link` says how it joins the sentence, with the
+    cue word `cue`; a `fronted` clause belongs to the main clause after it, all others to the main
+    clause before.
     """
 
     clause: Clause
@@ -112,6 +117,7 @@ class ClausePlan(NamedTuple):
     topic: str = ""
     role: Role = "assertion"
     marks: tuple[str, ...] = ()
+    story: bool = False
 
 
 class SentencePlan(NamedTuple):

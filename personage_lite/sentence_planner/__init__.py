@@ -23,7 +23,7 @@ from personage_lite.plan import (
 from personage_lite.randomness import pick
 from personage_lite.realizer.specification import Sentence
 from personage_lite.sentence_planner import hedges, rewording, speech
-from personage_lite.sentence_planner.aggregation import COMPETING
+from personage_lite.sentence_planner.aggregation import COMPETING, UNCUED
 from personage_lite.sentence_planner.assembly import assemble
 from personage_lite.sentence_planner.discourse import with_openings
 from personage_lite.sentence_planner.joining import Joint, Pair, plain
@@ -141,6 +141,9 @@ def _join(pair: Pair, index: int, turn: Turn) -> tuple[Joint, list[Decision]]:
     if not (plain(pair.last) and plain(right)):
         able = [joiner for joiner in able if not joiner.embedding]
     weights = [joiner.factor * turn.parameters[joiner.name] for joiner in able]
+    if pair.last.role == "recall":
+        # What was taken up is joined to what it explains or opposes, if it can be.
+        weights = [0.0 if j.name in UNCUED else w for j, w in zip(able, weights, strict=True)]
     target = f"{kind} {index + 1}"
     while able:
         total = sum(weights)

@@ -41,6 +41,7 @@ from personage_lite.sentence_planner.joining import (
     plain,
     replace_last,
     same_subject,
+    says,
 )
 
 _MOST_MERGED = 3
@@ -124,7 +125,7 @@ def relative_clause(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Join
         return extend(left, right._replace(link="object_relative"))
     if not same_subject(last, right) or pair.link.fixed_order or opposed(last, right):
         return None
-    if last.topic != right.topic:
+    if last.topic != right.topic or (last.story and right.story):
         return None
     main, inner = last, right
     if describes(last) and not describes(right) and pair.link.kind != "elaboration":
@@ -156,7 +157,7 @@ def with_cue_word(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint 
         return None
     owned = _owned(last, right)
     cue = rng.marker(lexicon.markers["with_cue_word"])
-    if owned is None or cue is None or opposed(last, right):
+    if owned is None or cue is None or opposed(last, right) or says(last.clause, cue.text):
         return None
     aside = Text((cue.text, *owned))
     clause = last.clause._replace(asides=(aside,))
@@ -191,6 +192,8 @@ def also_cue_word(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint 
         return None
     if right.clause.negated or opposed(pair.last, right):
         return None
+    if right.story or pair.last.clause.quotation:
+        return None  # the next step of a story is not one more of the same
     cue = rng.marker(lexicon.markers["also_cue_word"])
     if cue is None:
         return None
@@ -247,6 +250,8 @@ class Joiner(NamedTuple):
     embedding: bool = False
 
 
+# Those that do not say which relation holds.
+UNCUED = ("period", "conjunction")
 # For each relation, the operators that compete for it.
 COMPETING: dict[str, tuple[Joiner, ...]] = {
     "none": (Joiner("period", period),),

@@ -25,7 +25,8 @@ def _cued(pair: Pair, markers: tuple[Marker, ...], rng: OperatorDraws) -> Joint 
     able = [marker for marker in markers if marker.text not in pair.left.words]
     while able:
         cue = rng.marker(able)
-        assert cue is not None
+        if cue is None:
+            return None
         joint = _joined(pair, cue, rng)
         if joint is not None:
             return joint
@@ -43,8 +44,9 @@ def _joined(pair: Pair, cue: Marker, rng: OperatorDraws) -> Joint | None:
         return None  # the reason, or what it explains, would be taken for all that came before
     if pair.last.link == "relative":
         return None  # what comes would be set against the main clause
-    if pair.link.kind in OPPOSING_KINDS and any(clause.cue for clause in pair.left.clauses):
-        return None  # one turn a sentence: not "…, but …, yet …"
+    once = pair.link.kind in (*OPPOSING_KINDS, "sequence")
+    if once and any(clause.cue for clause in pair.left.clauses):
+        return None  # not "…, but …, yet …", nor "… and then …, and after that …"
     if len(pair.last.facts) > 1 and pair.link.kind in ("justification", "concession"):
         return None  # only one of two merged qualities is the reason, or is conceded
     deeds = not (describes(pair.last) and describes(pair.right))

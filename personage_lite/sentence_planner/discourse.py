@@ -32,16 +32,20 @@ def with_openings(
             sentence = sentence._replace(subject_before=subject)
         placed.append(sentence)
     decisions: list[Decision] = []
-    topic = _topic_before(character, turn)
+    topic, unset, shifted = _topic_before(character, turn), "", False
     plain = not (plan.mitigation or plan.rejection or plan.confirmation)
     for index, sentence in enumerate(placed):
         again = not index and _told_before(sentence, character, turn)
         if again or sentence.clauses[0].role == "recall":
             placed[index] = _recalling(sentence, turn)
-        elif sentence.clauses[0].topic != topic:
-            follows = bool(topic) and (index > 0 or plain)
+        elif sentence.clauses[0].topic != topic or topic == unset:
+            follows = bool(topic) and topic != unset and (index > 0 or plain) and not shifted
             placed[index], made = _new_topic(sentence, character, turn, index, follows)
             decisions += made
+            done = {decision.operator for decision in made if decision.status == "applied"}
+            shifted = shifted or "topic_shift" in done
+            # A setting that did not fit this sentence is said with the next.
+            unset = "" if done else sentence.clauses[0].topic
         topic = sentence.clauses[-1].topic
     if plan.mitigation:
         rng = turn.rng("competence_mitigation/place")

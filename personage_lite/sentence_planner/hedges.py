@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from personage_lite.lexicon import Lexicon, Marker
 from personage_lite.operators import OperatorDraws
-from personage_lite.plan import ClausePlan, Frame, SentencePlan
+from personage_lite.plan import STATES, ClausePlan, Frame, SentencePlan
 from personage_lite.realizer.specification import AdjectivePhrase, Opener, Phrase, Text
 
 SOFTENED, EMPHASIZED = "softened", "emphasized"
@@ -244,7 +244,7 @@ def _stress_places(plan: SentencePlan, index: int) -> set[str]:
     if index == 0 and not plan.first and opener_fits(plan):
         if isinstance(spec.complement, AdjectivePhrase) and clause.frame is None:
             places.add("opener")
-        if clause.polarity != "neutral" and not isinstance(spec.complement, AdjectivePhrase):
+        if clause.polarity != "neutral" and spec.verb not in STATES:
             places.add("news")
     weak = spec.verb in ("be", "have") or spec.quotation
     if not weak and pause_fits(clause) and not any(map(_is_adverb, spec.adverbials)):

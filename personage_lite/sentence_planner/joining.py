@@ -9,8 +9,8 @@ from typing import NamedTuple, Protocol, TypeAlias
 
 from personage_lite.lexicon import Lexicon, Marker
 from personage_lite.operators import OperatorDraws
-from personage_lite.plan import ClausePlan, Link, SentencePlan
-from personage_lite.realizer.specification import AdjectivePhrase, Cased
+from personage_lite.plan import STATES, ClausePlan, Link, SentencePlan
+from personage_lite.realizer.specification import AdjectivePhrase, Cased, Clause, Text
 
 # The most clauses in a sentence, where a cue word binds them and where only "and" does.
 MOST_CUED = 3
@@ -88,10 +88,21 @@ def coordinate(pair: Pair, cue: Marker, rng: OperatorDraws, most: int) -> Joint 
         and last.clause.verb != right.clause.verb
         and describes(last) == describes(right)
         and last.clause.tense == right.clause.tense
+        and not says(last.clause, cue.text)  # not "… the Hatter and the Hare and laughs"
         and rng.uniform("shared_subject") < _SHARED_SUBJECT
     )
     joined = right._replace(link="coordinate", cue=cue.text, shared_subject=shared)
     return extend(left, joined, cue.text)
+
+
+def says(clause: Clause, word: str) -> bool:
+    """Whether a word stands in what follows a clause's verb."""
+    for phrase in (clause.object, clause.complement, *clause.adverbials):
+        if isinstance(phrase, Text):
+            words = [part for part in phrase.parts if isinstance(part, str)]
+            if any(word in part.split(" ") for part in words):
+                return True
+    return False
 
 
 def _frame_fits(pair: Pair) -> bool:
@@ -124,4 +135,4 @@ def kind_of(plan: ClausePlan) -> str:
 
 def describes(plan: ClausePlan) -> bool:
     """Whether a clause says how somebody is or what they have, not what they do."""
-    return plan.clause.verb in ("be", "have") and not plan.clause.perfect
+    return plan.clause.verb in STATES and not plan.clause.perfect

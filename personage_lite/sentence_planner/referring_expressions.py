@@ -185,6 +185,8 @@ class ReferringExpressions:
                 self._clause_subject = ""
                 lead = self._text(frame.lead)
                 if lead is not frame.lead:
+                    # "One thing to know about the Knave is that he …"
+                    self._subject = self._here[-1]
                     frame = frame._replace(lead=lead)
             clause = plan.clause
             if clause.preposed:

@@ -22,6 +22,7 @@ from personage_lite.sentence_planner.hedges import (
     with_degree,
     with_opener,
 )
+from personage_lite.sentence_planner.joining import describes
 
 _TWICE = 0.15
 _BEFORE_ADJECTIVE = 0.5
@@ -56,6 +57,8 @@ def filled_pauses(
     plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon
 ) -> SentencePlan | None:
     """Hesitate: "Alice is, um, curious"; chatty speakers say "like" and "you know"."""
+    if plan.false_start:
+        return None
     for index, clause in enumerate(plan.clauses):
         if clause.link not in ("main", "coordinate") or not pause_fits(clause):
             continue
@@ -117,6 +120,8 @@ def competence_mitigation(
     if not plan.clauses or plan.connective or plan.openers or plan.clauses[0].frame is not None:
         return None
     first = plan.clauses[0]
+    if first.story or not describes(first):
+        return None  # nobody knows already what happens
     alone = len(plan.clauses) == 1 and not first.clause.quotation
     able = [
         marker
@@ -144,8 +149,8 @@ def tag_question(
     if any(clause.clause.interruption for clause in plan.clauses):
         return None
     last = plan.clauses[-1]
-    if last.link == "object_relative" or last.clause.quotation:
-        return None
+    if last.link in ("object_relative", "subordinate") or last.clause.quotation or last.story:
+        return None  # nor can the listener say what happens in a story
     host = [c for c in plan.clauses if c.link in ("main", "coordinate")][-1]
     if host.frame is not None and not host.frame.inner_tag:
         return None

@@ -10,8 +10,8 @@ from collections.abc import Mapping
 
 from personage_lite.facts import Character, Fact, entity_of
 from personage_lite.lexicon import TOPIC, Lexicon, Template
-from personage_lite.operators import OperatorDraws, Turn
-from personage_lite.plan import ClausePlan, ContentPlan, Decision, Frame, Status, decided
+from personage_lite.operators import LEAST_WEIGHT, OperatorDraws, Turn
+from personage_lite.plan import STATES, ClausePlan, ContentPlan, Decision, Frame, Status, decided
 from personage_lite.realizer.specification import AdjectivePhrase, Cased, NounPhrase, Text
 from personage_lite.sentence_planner.hedges import EMPHASIZED, HEDGED
 
@@ -24,10 +24,13 @@ _IMPERSONAL = 0.12
 
 def plain_clauses(character: Character, lexicon: Lexicon) -> dict[str, ClausePlan]:
     """Return each fact of a character as a plain clause, with no frame around it."""
-    return {fact.id: _plain_clause(fact, lexicon) for fact in character.facts}
+    return {
+        fact.id: _plain_clause(fact, lexicon, character.topics[fact.topic].in_order)
+        for fact in character.facts
+    }
 
 
-def _plain_clause(fact: Fact, lexicon: Lexicon) -> ClausePlan:
+def _plain_clause(fact: Fact, lexicon: Lexicon, story: bool) -> ClausePlan:
     complement = fact.clause.complement
     gradable = False
     if isinstance(complement, AdjectivePhrase):
@@ -40,6 +43,7 @@ def _plain_clause(fact: Fact, lexicon: Lexicon) -> ClausePlan:
         strength=fact.strength,
         gradable=gradable,
         topic=fact.topic,
+        story=story,
     )
 
 
@@ -67,6 +71,12 @@ def fits(template: Template, plan: ClausePlan) -> bool:
     ):
         return False  # nobody has a view on whether she is a little girl
     quality = isinstance(clause.complement, AdjectivePhrase)
+    if template.only == "states" and (plan.story or clause.verb not in STATES):
+        return False
+    if template.only == "deeds" and clause.verb in STATES:
+        return False
+    if template.only == "habits" and plan.story:
+        return False
     if template.emphatic and quality and plan.strength != "extremely":
         return False  # much ado about a plain word
     if form == "exclamative":
@@ -100,7 +110,7 @@ def framed(plan: ClausePlan, template: Template, lexicon: Lexicon, topic: NounPh
         marks = (*marks, EMPHASIZED)
     if template.hedging:
         marks = (*marks, HEDGED)
-    return ClausePlan(clause, *plan[1:8], frame, *plan[9:11], marks)
+    return ClausePlan(clause, *plan[1:8], frame, *plan[9:11], marks, *plan[12:])
 
 
 def select_templates(
@@ -116,6 +126,7 @@ def select_templates(
     used: list[str] = []
     # What the utterance opens with is frame enough for the first message.
     framed_before = plan.rejection or plan.mitigation
+    topic_before = turn.state.topic == character.entity.id and _topic_told(character, turn)
     offers = []
     for name in _PARAMETERS:
         probability = turn.probability(name)
@@ -130,13 +141,17 @@ def select_templates(
             marks = (*clause.marks, HEDGED) if message.role == "recall" else clause.marks
             clause = clause._replace(role=message.role, marks=marks)
         target = f"message {index + 1}"
+        # What opens a topic is said with its setting: "at the trial, …", not "I love how …".
+        topic = character.topics[message.fact.topic]
+        opens = topic.setting is not None and topic.name != topic_before
+        topic_before = topic.name
         for name, probability, row in offers:
             draw = row[index]
             status: Status = "not_drawn"
             if draw < probability:
                 status = "not_applicable"
                 template = None
-                if not framed_before and clause.frame is None:
+                if not (framed_before or opens) and clause.frame is None:
                     rng = turn.rng(f"{name}/{index}")
                     template = _choose(name, clause, used, turn, rng, character.entity.id)
                 if template is not None:
@@ -144,9 +159,16 @@ def select_templates(
                     used.extend((template.name, name))
                     status = "applied"
             decisions.append(decided(name, STAGE, probability, draw, status, target))
-        framed_before = clause.frame is not None
+        # What is taken up needs its "so" or "but" right after it.
+        framed_before = clause.frame is not None or message.role == "recall"
         clauses.append(clause)
     return clauses, decisions, used
+
+
+def _topic_told(character: Character, turn: Turn) -> str:
+    """Return the topic of what was told last."""
+    last = character.by_id.get(turn.state.last_fact)
+    return last.topic if last is not None else ""
 
 
 def _choose(
@@ -174,9 +196,11 @@ def _choose(
     ]
     if not able:
         return None
+    weights = rng.weights([template.marker for template in able])
+    if max(weights) < LEAST_WEIGHT:
+        return None  # nobody of this X talks like that
     liking = turn.parameters["template_polarity"]
     factors = {"good": 2 * liking, "bad": 2 * (1 - liking)}
-    weights = rng.weights([template.marker for template in able])
     for index, template in enumerate(able):
         if template.connotation in factors:
             weights[index] *= factors[template.connotation]
