@@ -213,7 +213,9 @@ def plan_content(character: Character, turn: Turn) -> tuple[ContentPlan, list[De
     confirmation = new_topic and planner.decide("request_confirmation")
     # Nobody disclaims a plain neutral fact.
     recalls = messages[0].role == "recall"
-    doubtful = not (confirmation or recalls) and messages[0].fact.polarity != "neutral"
+    first = messages[0].fact
+    story = character.topics[first.topic].in_order
+    doubtful = not (confirmation or recalls or story) and first.polarity != "neutral"
     rejection = doubtful and planner.decide("initial_rejection")
     mitigation = not (rejection or recalls) and planner.decide("competence_mitigation")
     plan = ContentPlan(tuple(messages), tuple(links), confirmation, rejection, mitigation)

@@ -13,12 +13,12 @@ from personage_lite.randomness import pick
 
 # How much likelier a fact is that has a relation to the last one, by kind of relation.
 _RELATED = {
-    "elaboration": 9.0,
-    "justification": 9.0,
-    "sequence": 6.0,
+    "elaboration": 30.0,
+    "justification": 30.0,
+    "sequence": 15.0,
     "restatement": 0.1,
-    "concession": 10.0,
-    "contrast": 10.0,
+    "concession": 30.0,
+    "contrast": 30.0,
 }
 # A description stays with its topic, and a story once begun comes first; a new topic is rather
 # the next of the file's order.

@@ -110,7 +110,7 @@ MARKER_PLACES: dict[str, tuple[str, ...]] = {
     "filled_pauses": ("pause", "opener", "answer"),
     "expletives": ("degree", "opener"),
     "near_expletives": ("degree", "opener"),
-    "tag_question": (),
+    "tag_question": ("state", "deed", "any"),
     "in_group_marker": (),
     "competence_mitigation": ("lead", "opener"),
     "request_confirmation": (),

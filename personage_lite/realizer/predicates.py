@@ -158,7 +158,7 @@ def _finite_words(
 
 def _can_shorten(clause: Clause, group: VerbGroup) -> bool:
     """Whether enough follows an auxiliary: nothing is shortened at the end, "Yes, she is"."""
-    if clause.interruption or clause.truncated or clause.mood == "exclamative" or clause.ellipsis:
+    if clause.truncated or clause.mood == "exclamative" or clause.ellipsis:
         return False
     if group.rest:
         return True

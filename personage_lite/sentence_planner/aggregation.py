@@ -77,7 +77,10 @@ def merge(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | None:
         return None
     if isinstance(other.complement, AdjectivePhrase) and _mergeable(one.complement):
         clause = one._replace(complement=_with_item(one.complement, other.complement))
-    elif one.verb == "have" and other.object and one.object and not one.adverbials:
+    elif one.verb == "have" and _plain_words(one.object) and _plain_words(other.object):
+        if one.adverbials:
+            return None
+        assert other.object is not None
         clause = one._replace(object=_with_item(one.object, other.object))
     else:
         return None
@@ -96,6 +99,11 @@ def merge(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | None:
 def _same_shell(one: Clause, other: Clause) -> bool:
     """Whether two clauses are equal but for what a merge joins, the object and the complement."""
     return one[:4] == other[:4] and one[6:] == other[6:]
+
+
+def _plain_words(phrase: Phrase | None) -> bool:
+    """Whether a phrase names nobody: not "five moons and a moon called Charon", one of them."""
+    return isinstance(phrase, Text) and all(isinstance(part, str) for part in phrase.parts)
 
 
 def _mergeable(phrase: Phrase | None) -> bool:

@@ -107,8 +107,6 @@ def softened(
                 if m.place in places
                 and (not m.verbs or verb in m.verbs)
                 and m.polarity in ("", clause.polarity)
-                # Not "slightly" of what is extremely so.
-                and not (m.polarity and clause.strength == "extremely")
                 # Not "kind of kind".
                 and (adjective is None or adjective not in m.text.split(" "))
             ]
@@ -136,7 +134,7 @@ def _soft_places(plan: SentencePlan, index: int, lexicon: Lexicon) -> set[str]:
     """Return where in a clause a softener can stand."""
     clause = plan.clauses[index]
     places = set()
-    if degree_fits(clause) and not _someone(clause):
+    if degree_fits(clause) and not _someone(clause) and clause.strength != "extremely":
         places.add("degree")
     if pause_fits(clause):
         places.add("pause")
@@ -195,7 +193,7 @@ def weakened_positive_content(
 ) -> SentencePlan | None:
     """Make good news small: "somewhat imaginative" (the paper, section IV-C)."""
     for index, clause in enumerate(plan.clauses):
-        if _someone(clause) or clause.polarity != "good":
+        if _someone(clause) or clause.polarity != "good" or clause.strength == "extremely":
             continue
         if unhedged(clause) and degree_fits(clause):
             marker = rng.marker(lexicon.markers["weakened_positive_content"])
@@ -242,7 +240,8 @@ def _stress_places(plan: SentencePlan, index: int) -> set[str]:
     if degree_fits(clause):
         places.add("degree")
     if index == 0 and not plan.first and opener_fits(plan):
-        if isinstance(spec.complement, AdjectivePhrase) and clause.frame is None:
+        quality = isinstance(spec.complement, AdjectivePhrase) and not spec.negated
+        if quality and clause.frame is None and clause.polarity != "neutral":
             places.add("opener")
         if clause.polarity != "neutral" and spec.verb not in STATES:
             places.add("news")

@@ -72,7 +72,9 @@ class ReferringExpressions:
             return False
         if self._turn_before and entity.id not in self._here and entity.id != self._going_on:
             return False  # across turns only the one who is talked about stays clear
-        if subjective and self._subject == entity.id:
+        # "It" is taken for the last thing named, whichever was the subject.
+        neuter = entity.phrase.gender == "neuter" and entity.phrase.number == "singular"
+        if subjective and self._subject == entity.id and not neuter:
             return True
         return not self._has_rivals(entity)
 
@@ -259,9 +261,8 @@ class ReferringExpressions:
         for part in text.parts:
             if isinstance(part, Cased) and part.phrase.entity and part.case != "reflexive":
                 bound = part.phrase.entity == self._clause_subject
-                form = self.form(
-                    part.phrase, part.case == "subjective", bound, part.case == "possessive"
-                )
+                # A subject inside a clause does not go on with the clause before.
+                form = self.form(part.phrase, False, bound, part.case == "possessive")
                 parts.append(Cased(form, part.case))
                 changed = True
             else:

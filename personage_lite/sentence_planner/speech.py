@@ -26,6 +26,7 @@ from personage_lite.sentence_planner.joining import describes
 
 _TWICE = 0.15
 _BEFORE_ADJECTIVE = 0.5
+_MOST_MARKS = 2
 STUTTER = "stutter"
 
 
@@ -33,10 +34,21 @@ def _opener(
     plan: SentencePlan, kind: str, places: tuple[str, ...], rng: OperatorDraws, lexicon: Lexicon
 ) -> SentencePlan | None:
     """Put one of a kind's openers before a sentence."""
-    if not opener_fits(plan):
+    first = plan.clauses[0] if plan.clauses else None
+    sworn = first is not None and first.frame is not None and EMPHASIZED in first.marks
+    if not opener_fits(plan) or sworn or crowded(plan):
         return None
     marker = rng.marker([item for item in lexicon.markers[kind] if item.place in places])
     return None if marker is None else with_opener(plan, marker)
+
+
+def crowded(plan: SentencePlan) -> bool:
+    """Whether a sentence carries as many marks of speech as one person puts into one."""
+    marks = len(plan.openers) + bool(plan.tag) + bool(plan.vocative)
+    for clause in plan.clauses:
+        marks += bool(clause.clause.interruption)
+        marks += clause.frame is not None and EMPHASIZED in clause.marks
+    return marks >= _MOST_MARKS
 
 
 def acknowledgments(
@@ -57,10 +69,12 @@ def filled_pauses(
     plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon
 ) -> SentencePlan | None:
     """Hesitate: "Alice is, um, curious"; chatty speakers say "like" and "you know"."""
-    if plan.false_start:
+    if plan.false_start or crowded(plan):
         return None
     for index, clause in enumerate(plan.clauses):
         if clause.link not in ("main", "coordinate") or not pause_fits(clause):
+            continue
+        if clause.role == "recall":
             continue
         places = ["pause"]
         if index == 0 and opener_fits(plan):
@@ -149,15 +163,28 @@ def tag_question(
     if any(clause.clause.interruption for clause in plan.clauses):
         return None
     last = plan.clauses[-1]
-    if last.link in ("object_relative", "subordinate") or last.clause.quotation or last.story:
-        return None  # nor can the listener say what happens in a story
+    if last.link in ("object_relative", "subordinate") or last.clause.quotation:
+        return None
+    if crowded(plan) or last.role in ("repetition", "restatement"):
+        return None
     host = [c for c in plan.clauses if c.link in ("main", "coordinate")][-1]
     if host.frame is not None and not host.frame.inner_tag:
         return None
     if doubtful(plan):
         return None
     agreeing = host.frame is None or host.frame.form == "clause"
-    able = [m for m in lexicon.markers["tag_question"] if m.text != "auto" or agreeing]
+    # The listener can be asked what something is like, but not what happens next: at that they
+    # can only marvel.
+    known = not last.story and all(map(describes, plan.clauses))
+    if not known and last.polarity == "neutral":
+        return None
+    able = [
+        marker
+        for marker in lexicon.markers["tag_question"]
+        if (marker.text != "auto" or agreeing)
+        and marker.place != ("deed" if known else "state")
+        and marker.polarity in ("", last.polarity)
+    ]
     marker = rng.marker(able)
     if marker is None:
         return None
@@ -179,7 +206,7 @@ def in_group_marker(
     plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon
 ) -> SentencePlan | None:
     """Address the listener as one of us: "…, buddy!"."""
-    if plan.vocative or plan.terminal == "…" or plan.afterthought:
+    if plan.vocative or plan.terminal == "…" or plan.afterthought or crowded(plan):
         return None
     if plan.clauses and plan.clauses[-1].clause.quotation:
         return None

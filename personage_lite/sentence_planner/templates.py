@@ -80,15 +80,17 @@ def fits(template: Template, plan: ClausePlan) -> bool:
     if template.emphatic and quality and plan.strength != "extremely":
         return False  # much ado about a plain word
     if form == "exclamative":
-        return plan.gradable and not clause.negated and plan.strength != "somewhat"
+        striking = plan.strength == "extremely" or plan.polarity != "neutral"
+        return plan.gradable and not clause.negated and striking and plan.strength != "somewhat"
     if form == "someone_who":
         # Someone who is kind; not "someone who is a little girl", "who falls down a well".
-        alone = not isinstance(clause.subject, NounPhrase) or clause.subject.number == "singular"
-        return plan.gradable and alone and not clause.negated
+        subject = clause.subject
+        alone = isinstance(subject, NounPhrase) and subject.number == "singular"
+        return alone and bool(entity_of(subject)) and plan.gradable and not clause.negated
     # "I love that she loves …" says the same word twice.
     if clause.verb in template.lead.split(" "):
         return False
-    return not (clause.quotation and template.complementizer)
+    return not clause.quotation
 
 
 def framed(plan: ClausePlan, template: Template, lexicon: Lexicon, topic: NounPhrase) -> ClausePlan:
