@@ -110,7 +110,7 @@ MARKER_PLACES: dict[str, tuple[str, ...]] = {
     "filled_pauses": ("pause", "opener", "answer"),
     "expletives": ("degree", "opener"),
     "near_expletives": ("degree", "opener"),
-    "tag_question": ("state", "deed", "any"),
+    "tag_question": (),
     "in_group_marker": (),
     "competence_mitigation": ("lead", "opener"),
     "request_confirmation": (),
@@ -124,6 +124,8 @@ MARKER_PLACES: dict[str, tuple[str, ...]] = {
     "also_cue_word": ("middle", "connective"),
     "merge_with_comma": (),
     "recall": (),
+    "anticipation": (),
+    "reaction": ("state", "deed", "any"),
     "topic_shift": (),
 }
 

@@ -19,7 +19,7 @@ T = TypeVar("T")
 # How strongly X pulls the choice of a word towards its lean: a factor e^(lean * X * pull).
 _PULL = 2.2
 # Words whose weight at an X is less are not said there at all.
-LEAST_WEIGHT = 0.08
+LEAST_WEIGHT = 0.3
 _LEAST_LEAN = log(LEAST_WEIGHT) / _PULL
 # What is left of a word's weight for each of the last turns that used it.
 _WORN = 0.25

@@ -227,8 +227,12 @@ class Listener:
     def hear(self, said: Utterance) -> None:
         """Read a turn."""
         for sentence in said.sentences:
+            earlier, before = self.sentence_before, self.sentence
             self.sentence_before, self.sentence = self.sentence, []
             self._sentence(sentence)
+            if isinstance(sentence.body, Text) and not self.sentence:
+                # A cry such as "Wait till you hear this!" turns nobody's mind elsewhere.
+                self.sentence_before, self.sentence = earlier, before
 
     def _sentence(self, sentence: Sentence) -> None:
         subject = ""
@@ -237,6 +241,9 @@ class Listener:
         for body, shared in bodies:
             if isinstance(body, Embedded):
                 self._phrase(body.lead, "", self.about)
+                for part in body.lead.parts:
+                    if isinstance(part, Cased):
+                        self.about = part.phrase.entity  # "one thing to know about Alice is …"
                 subject = self._clause(body.clause)
             elif isinstance(body, Clause):
                 subject = self._clause(body, shared=subject if shared else "")
@@ -248,6 +255,8 @@ class Listener:
         for below in clause.subordinates:
             if below.fronted:
                 self._clause(below.clause)
+        for phrase in clause.preposed:
+            self._phrase(phrase, "", self.about)
         before, subject, owner = self.about, clause.subject, shared
         if clause.mood == "exclamative" and clause.complement is not None:
             self._phrase(clause.complement, owner, before)

@@ -21,11 +21,11 @@ from personage_lite.plan import (
     decided,
 )
 from personage_lite.randomness import pick
-from personage_lite.realizer.specification import Sentence
+from personage_lite.realizer.specification import Cased, Sentence
 from personage_lite.sentence_planner import hedges, rewording, speech
 from personage_lite.sentence_planner.aggregation import COMPETING, UNCUED
 from personage_lite.sentence_planner.assembly import assemble
-from personage_lite.sentence_planner.discourse import with_openings
+from personage_lite.sentence_planner.discourse import with_openings, with_reaction
 from personage_lite.sentence_planner.joining import Joint, Pair, plain
 from personage_lite.sentence_planner.lexical_choice import LexicalChoice
 from personage_lite.sentence_planner.referring_expressions import ReferringExpressions
@@ -81,6 +81,8 @@ def plan_sentences(
     sentences, opened = with_openings(sentences, plan, character, turn)
     decisions += opened
     decisions += run_operators(sentences, operators, "pragmatic_markers", turn)
+    sentences, reacted = with_reaction(sentences, turn)
+    decisions += reacted
     words = LexicalChoice(turn)
     referring = ReferringExpressions(character, turn)
     assembled = []
@@ -90,7 +92,7 @@ def plan_sentences(
         parts = words.clauses(sentence.clauses, index)
         if sentence.fragment is None:
             parts = referring.clauses(parts)
-        else:
+        elif any(isinstance(part, Cased) for part in sentence.fragment.parts):
             referring.fragment(sentence.fragment)
         for part in parts:
             facts += part.facts

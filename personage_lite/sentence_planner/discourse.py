@@ -10,9 +10,12 @@ from __future__ import annotations
 from itertools import pairwise
 
 from personage_lite.facts import Character, entity_of
+from personage_lite.lexicon import Marker
 from personage_lite.operators import Turn
 from personage_lite.plan import ClausePlan, ContentPlan, Decision, SentencePlan, Status, decided
+from personage_lite.realizer.specification import Text
 from personage_lite.sentence_planner import hedges, speech
+from personage_lite.sentence_planner.joining import describes
 from personage_lite.sentence_planner.templates import lead_text
 
 STAGE = "aggregation"
@@ -47,6 +50,14 @@ def with_openings(
             # A setting that did not fit this sentence is said with the next.
             unset = "" if done else sentence.clauses[0].topic
         topic = sentence.clauses[-1].topic
+    first = placed[0].clauses[0]
+    announced, noted = (None, None)
+    if plain and turn.state.topic == character.entity.id:
+        new = first.story and first.topic != _topic_before(character, turn)
+        announced, noted = _anticipated(placed[0], turn, new)
+    decisions += [noted] if noted is not None else []
+    if announced is not None:
+        placed.insert(0, announced)
     if plan.mitigation:
         rng = turn.rng("competence_mitigation/place")
         opened = speech.competence_mitigation(placed[0], rng=rng, lexicon=turn.lexicon)
@@ -71,6 +82,63 @@ def _told_before(sentence: SentencePlan, character: Character, turn: Turn) -> bo
     told = turn.state.told_of(character.entity.id)
     again = sentence.clauses[0].facts[0] in told and _plain_start(sentence.clauses[0])
     return again and turn.draws.uniform("recall/again") < turn.probability("recall")
+
+
+def _anticipated(
+    sentence: SentencePlan, turn: Turn, new: bool
+) -> tuple[SentencePlan | None, Decision | None]:
+    """Announce, if drawn, what the speaker looks forward to telling: "Wait till you hear this!"."""
+    probability = turn.probability("anticipation")
+    first = sentence.clauses[0]
+    if probability <= 0.0:
+        return None, None
+    draw = turn.draws.uniform("anticipation")
+    status: Status = "not_drawn"
+    said = None
+    if draw < probability:
+        status = "not_applicable"
+        worth = not describes(first) and (new or first.polarity != "neutral")
+        marker = turn.rng("anticipation").marker(turn.lexicon.markers["anticipation"])
+        if worth and marker is not None and first.role == "assertion" and not sentence.openers:
+            said = _fragment(marker)
+            status = "applied"
+    return said, decided("anticipation", STAGE, probability, draw, status)
+
+
+def with_reaction(
+    sentences: list[SentencePlan], turn: Turn
+) -> tuple[list[SentencePlan], list[Decision]]:
+    """Say, if drawn, what one feels about what was told last: "Can you believe it?".
+
+    It comes after all other operators, because it needs a sentence that does not ask back itself.
+    """
+    probability = turn.probability("reaction")
+    if probability <= 0.0:
+        return sentences, []
+    draw = turn.draws.uniform("reaction")
+    status: Status = "not_drawn"
+    if draw < probability:
+        status = "not_applicable"
+        last = sentences[-1]
+        clause = last.clauses[-1]
+        asks = last.tag or last.afterthought or last.fragment or clause.role != "assertion"
+        if not asks and clause.polarity != "neutral" and not hedges.doubtful(last):
+            place = "state" if describes(clause) else "deed"
+            able = [
+                marker
+                for marker in turn.lexicon.markers["reaction"]
+                if marker.place in (place, "any") and marker.polarity in ("", clause.polarity)
+            ]
+            marker = turn.rng("reaction").marker(able)
+            if marker is not None:
+                sentences = [*sentences, _fragment(marker)]
+                status = "applied"
+    return sentences, [decided("reaction", "pragmatic_markers", probability, draw, status)]
+
+
+def _fragment(marker: Marker) -> SentencePlan:
+    words = (marker.text,)
+    return SentencePlan(fragment=Text(words), terminal=marker.after or ".", words=words)
 
 
 def _topic_before(character: Character, turn: Turn) -> str:

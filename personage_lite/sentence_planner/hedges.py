@@ -243,7 +243,7 @@ def _stress_places(plan: SentencePlan, index: int) -> set[str]:
         quality = isinstance(spec.complement, AdjectivePhrase) and not spec.negated
         if quality and clause.frame is None and clause.polarity != "neutral":
             places.add("opener")
-        if clause.polarity != "neutral" and spec.verb not in STATES:
+        if clause.polarity != "neutral" and spec.verb not in STATES and clause.frame is None:
             places.add("news")
     weak = spec.verb in ("be", "have") or spec.quotation
     if not weak and pause_fits(clause) and not any(map(_is_adverb, spec.adverbials)):

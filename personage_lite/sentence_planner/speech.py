@@ -8,7 +8,7 @@ from __future__ import annotations
 from personage_lite.lexicon import Lexicon
 from personage_lite.operators import OperatorDraws
 from personage_lite.plan import Frame, SentencePlan
-from personage_lite.realizer.specification import Cased, NounPhrase, Text
+from personage_lite.realizer.specification import Cased, NounPhrase, Phrase, Text
 from personage_lite.sentence_planner.hedges import (
     EMPHASIZED,
     HEDGED,
@@ -56,7 +56,7 @@ def acknowledgments(
 ) -> SentencePlan | None:
     """Answer the listener: "Yeah, …", "I see! You want …"."""
     if plan.fragment is not None:
-        if plan.terminal != "?":
+        if plan.terminal != "?" or not any(map(_is_mention, plan.fragment.parts)):
             return None
         return _opener(plan, "acknowledgments", ("question",), rng, lexicon)
     places: tuple[str, ...] = ("sentence", "utterance") if plan.first else ("sentence",)
@@ -173,18 +173,10 @@ def tag_question(
     if doubtful(plan):
         return None
     agreeing = host.frame is None or host.frame.form == "clause"
-    # The listener can be asked what something is like, but not what happens next: at that they
-    # can only marvel.
-    known = not last.story and all(map(describes, plan.clauses))
-    if not known and last.polarity == "neutral":
+    # The listener can be asked what something is like, but not what happens, nor a plain fact.
+    if last.story or not all(map(describes, plan.clauses)) or last.polarity == "neutral":
         return None
-    able = [
-        marker
-        for marker in lexicon.markers["tag_question"]
-        if (marker.text != "auto" or agreeing)
-        and marker.place != ("deed" if known else "state")
-        and marker.polarity in ("", last.polarity)
-    ]
+    able = [m for m in lexicon.markers["tag_question"] if m.text != "auto" or agreeing]
     marker = rng.marker(able)
     if marker is None:
         return None
@@ -257,4 +249,8 @@ def object_ellipsis(
 
 
 def _mentions(text: Text | None) -> bool:
-    return text is not None and any(isinstance(part, Cased) for part in text.parts)
+    return text is not None and any(map(_is_mention, text.parts))
+
+
+def _is_mention(part: Phrase | Cased) -> bool:
+    return isinstance(part, Cased)
