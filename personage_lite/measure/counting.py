@@ -164,7 +164,7 @@ def value_of(feature: Feature, totals: Mapping[str, int]) -> float | None:
         "word": (words, 1),
         "100 words": (words, 100),
     }[feature.per]
-    return scale * totals[key] / divisor if divisor and words else None
+    return scale * totals[key] / divisor if divisor else None
 
 
 def reading_ease(sentence_length: float, syllables: float) -> float:

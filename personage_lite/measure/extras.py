@@ -20,7 +20,7 @@ def imported(module: str) -> Any:
     except ImportError as error:
         raise PersonageError(
             f"measuring needs {module.partition('.')[0]}, which cannot be imported ({error}); "
-            "run: pip install 'personage-lite[measure]'"
+            "run: pip install 'personage-lite[measure]', or '.[measure]' in a checkout"
         ) from None
 
 

@@ -23,6 +23,12 @@ QUANTITIES = (
     *("flesch_reading_ease", "flesch_kincaid_grade", "positive_emotion", "negative_emotion"),
     *("stutters", "tag_questions", "exclamations", "questions", "contractions"),
 )
+# What is divided by nothing: a ratio of each 50 words, and what is of all words together.
+_WHOLE = {
+    "type_token_ratio": "window",
+    "flesch_reading_ease": "text",
+    "flesch_kincaid_grade": "text",
+}
 # Where the markers that have no `place` of their own stand.
 _PLACES_OF_KINDS = {"in_group_marker": "vocative"}
 _LEANS: Mapping[str, Callable[[float], bool]] = {
@@ -103,6 +109,10 @@ def _feature(
             f"'{name}' counts {'two things' if quantity else 'nothing'}",
             "give either 'count', or 'words' and 'markers'",
         )
+    per = item.need("per").choice(UNITS)
+    if per != _WHOLE.get(quantity, per) or (per in _WHOLE.values() and quantity not in _WHOLE):
+        remedy = f"write {_WHOLE[quantity]}" if quantity in _WHOLE else "write 100 words"
+        raise item.need("per").fault(f"'{name}' cannot be counted per {per}", remedy)
     direction = item.need("direction").choice(DIRECTIONS)
     named = item.texts_of("sources")
     if (direction == "none") == bool(named):
@@ -117,7 +127,7 @@ def _feature(
     feature = Feature(
         name,
         item.need("label").text(),
-        item.need("per").choice(UNITS),
+        per,
         quantity,
         Finder(patterns, lists) if patterns else None,
         item.get("markers") is not None,
@@ -143,7 +153,7 @@ def _marker_patterns(item: Node, markers: Mapping[str, tuple[Marker, ...]]) -> l
         for marker in markers[name]:
             if leans(marker.lean):
                 patterns += _patterns_of(name, marker)
-    return patterns
+    return [pattern for pattern in patterns if pattern.words]
 
 
 def _patterns_of(kind: str, marker: Marker) -> list[Pattern]:
@@ -168,6 +178,7 @@ def _listed_patterns(item: Node) -> list[Pattern]:
         else:
             patterns.append(pattern_of(word.need("text").text(), word.need("place").choice(PLACES)))
             word.done()
-        if not patterns[-1].words or "*" in patterns[-1].text.strip("*"):
+        *others, stars = patterns[-1].text.split("*")
+        if not patterns[-1].words or len(others) > 1 or (others and not others[0] + stars):
             raise word.fault("this is no word", "write letters, with one * at an end if at all")
     return patterns

@@ -62,8 +62,10 @@ def plot(report: Report, path: str | PathLike[str]) -> None:
     place = check_plot_path(path)
     if len(report.groups) < 2:
         raise PersonageError("a plot needs records of two or more X; make some with corpus")
-    figure = _figure(report)
-    with _whole(place) as unfinished:
+    style = {"font.size": 8, "font.family": "DejaVu Sans", "svg.hashsalt": "personage-lite"}
+    style |= {"axes.spines.top": False, "axes.spines.right": False}
+    with imported("matplotlib").rc_context(style), _whole(place) as unfinished:
+        figure = _figure(report)
         # Without the time and the version, so that the same report gives the same file.
         missing = {".png": "Software", ".svg": "Date", ".pdf": "CreationDate"}
         kind = place.suffix.lower()
@@ -86,30 +88,26 @@ def _whole(place: Path) -> Iterator[Path]:
 
 
 def _figure(report: Report) -> Figure:
-    matplotlib = imported("matplotlib")
-    make = imported("matplotlib.figure").Figure
     lines = math.ceil(len(report.rows) / _COLUMNS)
     height = _TOP + lines * _PANEL + _BOTTOM
-    style = {"font.size": 8, "font.family": "DejaVu Sans", "svg.hashsalt": "personage-lite"}
-    with matplotlib.rc_context({**style, "axes.spines.top": False, "axes.spines.right": False}):
-        figure: Figure = make(figsize=(_WIDTH, height), dpi=110)
-        # Fixed edges, in inches: matplotlib's own layout takes longer than all the rest.
-        figure.subplots_adjust(
-            left=0.6 / _WIDTH,
-            right=1 - 0.2 / _WIDTH,
-            top=1 - _TOP / height,
-            bottom=_BOTTOM / height,
-            wspace=0.3,
-            hspace=0.5,
-        )
-        panels = figure.subplots(lines, _COLUMNS, squeeze=False)
-        places = [panel for line in panels for panel in line]
-        for row, panel in zip(report.rows, places, strict=False):
-            _draw(row, panel)
-        for panel in places[len(report.rows) :]:
-            panel.set_axis_off()
-        figure.suptitle(_title(report), fontsize=12, y=1 - 0.3 / height)
-        _add_legend(figure)
+    figure: Figure = imported("matplotlib.figure").Figure(figsize=(_WIDTH, height), dpi=110)
+    # Fixed edges, in inches: matplotlib's own layout takes longer than all the rest.
+    figure.subplots_adjust(
+        left=0.6 / _WIDTH,
+        right=1 - 0.2 / _WIDTH,
+        top=1 - _TOP / height,
+        bottom=_BOTTOM / height,
+        wspace=0.3,
+        hspace=0.5,
+    )
+    panels = figure.subplots(lines, _COLUMNS, squeeze=False)
+    places = [panel for line in panels for panel in line]
+    for row, panel in zip(report.rows, places, strict=False):
+        _draw(row, panel)
+    for panel in places[len(report.rows) :]:
+        panel.set_axis_off()
+    figure.suptitle(_title(report), fontsize=12, y=1 - 0.3 / height)
+    _add_legend(figure)
     return figure
 
 

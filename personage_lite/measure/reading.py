@@ -86,9 +86,14 @@ def _record(line: str, name: str, number: int) -> Said:
     x = record.get("x")
     if x is None:
         return Said(record["text"])
-    if isinstance(x, bool) or not isinstance(x, int | float) or not math.isfinite(x):
-        raise DataError(name, number, f"X is {shown(json.dumps(x))}", "give a number, or no 'x'")
-    return Said(record["text"], float(x))
+    try:
+        value = math.nan if isinstance(x, bool | str) else float(x)
+    except (TypeError, OverflowError):
+        value = math.nan
+    if not math.isfinite(value):
+        what = f"X is {shown(json.dumps(x, ensure_ascii=False))}"
+        raise DataError(name, number, what, "give a number, or no 'x'")
+    return Said(record["text"], value)
 
 
 def said(utterances: Iterable[str | HasStyle]) -> list[Said]:

@@ -64,12 +64,16 @@ class Row(NamedTuple):
 
 
 class Report(NamedTuple):
-    """What `measure` found; `sources` are the full titles of those that the features name."""
+    """What `measure` found; `sources` are the full titles of those that the features name.
+
+    `rounded` is whether there were so many X that the groups are those of the nearest whole number.
+    """
 
     groups: tuple[Group, ...]
     rows: tuple[Row, ...]
     richness: tuple[Richness, ...]
     sources: Mapping[str, str]
+    rounded: bool
 
 
 def measure(
@@ -100,6 +104,7 @@ def measure(
             [(x, [part.sentences for part in parts]) for x, parts in grouped], features.lists.closed
         ),
         features.sources,
+        not {one.x for one in everything} <= {x for x, _ in grouped},
     )
 
 

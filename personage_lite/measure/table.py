@@ -27,6 +27,7 @@ def table(report: Report, with_richness: bool = False) -> str:
         [
             *_aligned(lines, 2 + len(heads) + several),
             "",
+            *(["X is rounded to whole numbers"] if report.rounded else []),
             "published: how extraverts differ, by the sources (! found the opposite)",
             *(f"{number:>3} {report.sources[key]}" for key, number in numbers.items()),
             *(_richness_lines(report.richness) if with_richness else ()),

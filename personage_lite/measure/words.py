@@ -8,7 +8,9 @@ are marked, because pronouns and exclamations in it are not the speaker's own st
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from bisect import bisect_right
+from collections.abc import Iterable, Iterator
+from operator import itemgetter
 from typing import NamedTuple
 
 from personage_lite.measure.lists import Lists
@@ -18,14 +20,16 @@ _WORD = re.compile(
     r"|[^\W_]+(?:'[^\W_]+)*(?:-[^\W_]+(?:'[^\W_]+)*)*"  # she's, tea-party, mother-in-law's
 )
 # Marks that can end a sentence, and what can close after them.
-_END = re.compile(r"[.!?…]+[”)\]]*(?=\s|$)")
+_END = re.compile(r"(?<![.!?…])[.!?…]++[”)\]]*+(?=\s|$)")
 _QUOTATION = re.compile(r"“[^“”]*”")
 _INSCRIPTION = re.compile(r"\b[A-Z]{2,}(?: [A-Z]{2,})+\b")  # DRINK ME
 _SPACES = re.compile(r"\s+")
 _PARAGRAPHS = re.compile(r"\n[ \t]*\n")
-_STUTTER = re.compile(r"\b([^\W\d_]{1,3})-((?:\1-)*)(?=\1[^\W\d_])", re.IGNORECASE)
+_STUTTER = re.compile(r"\b([^\W\d_]{1,3})-((?:\1-){0,8})(?=\1[^\W\d_])", re.IGNORECASE)
 # A mark of hesitation after so few words holds a sentence up and does not end it: "Well… I see."
 _SHORT = 3
+# How much of what follows a mark is looked at.
+_SEEN = 80
 
 
 class Word(NamedTuple):
@@ -64,6 +68,18 @@ class Passage(NamedTuple):
 
     sentences: tuple[Sentence, ...]
     stutters: int
+
+
+class _Spans:
+    """Parts of a text, one after the other."""
+
+    def __init__(self, found: Iterable[re.Match[str]]) -> None:
+        self._spans = [one.span() for one in found]
+
+    def hold(self, place: int) -> bool:
+        """Whether the character at a place stands in one of the parts."""
+        index = bisect_right(self._spans, place, key=itemgetter(0)) - 1
+        return index >= 0 and place < self._spans[index][1]
 
 
 def words_of(text: str) -> tuple[str, ...]:
@@ -110,8 +126,9 @@ def _steady(text: str, lists: Lists) -> tuple[str, int]:
     def said_once(found: re.Match[str]) -> str:
         nonlocal count
         start, more = found.group(1), found.group(2)
-        # Once and in small letters it may be a prefix: "re-read", "no-nonsense".
-        if not more and start in lists.no_stutters:
+        # Once and before a small letter it may be a prefix: "re-read", "no-nonsense".
+        follows_small = text[found.end()].islower()
+        if not more and follows_small and start.lower() in lists.no_stutters:
             return found.group(0)
         count += 1
         return ""
@@ -132,11 +149,11 @@ def _quotes(text: str) -> str:
 
 def _pieces(text: str, lists: Lists) -> Iterator[str]:
     """Yield the sentences of a paragraph as texts."""
-    inside = [found.span() for found in _QUOTATION.finditer(text)]
+    quotations = _Spans(_QUOTATION.finditer(text))
     start = 0
     for found in _END.finditer(text):
         place = found.end()
-        if any(first < place < last for first, last in inside):
+        if quotations.hold(place - 1) and quotations.hold(place):
             continue
         if _ends(text, start, found, lists):
             yield from _freed(text[start:place], lists)
@@ -146,12 +163,12 @@ def _pieces(text: str, lists: Lists) -> Iterator[str]:
 
 def _ends(text: str, start: int, found: re.Match[str], lists: Lists) -> bool:
     """Whether a mark ends the sentence that began at `start`."""
-    marks, rest = found.group(), text[found.end() :].lstrip(" “(")
+    marks, rest = found.group(), text[found.end() : found.end() + _SEEN].lstrip(" “(")
     if not rest:
         return True
     before = text[start : found.start()]
     if "”" in marks:
-        following = [word.lower() for word in _WORD.findall(rest[:60])[:2]]
+        following = [word.lower() for word in _WORD.findall(rest)[:2]]
         return not (rest[0].islower() or lists.reporting_verbs.intersection(following[1:]))
     if marks[0] == "…":
         return len(_WORD.findall(before)) > _SHORT and not rest[0].islower()
@@ -177,7 +194,7 @@ def _sentence(piece: str) -> Sentence:
     edges = [0, *(last for _, last in spans)]
     starts = [*(first for first, _ in spans), len(piece)]
     gaps = [piece[edge:first].replace(" ", "") for edge, first in zip(edges, starts, strict=True)]
-    quoted = [found.span() for found in (*_QUOTATION.finditer(piece), *_inscriptions(piece))]
+    quotations, inscriptions = _Spans(_QUOTATION.finditer(piece)), _Spans(_inscriptions(piece))
     words = tuple(
         Word(
             text := piece[first:last].lower(),
@@ -185,7 +202,7 @@ def _sentence(piece: str) -> Sentence:
             gaps[index],
             gaps[index + 1],
             piece[first].isupper(),
-            any(start <= first < end for start, end in quoted),
+            quotations.hold(first) or inscriptions.hold(first),
         )
         for index, (first, last) in enumerate(spans)
     )
