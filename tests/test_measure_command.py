@@ -128,17 +128,24 @@ def _without_features(folder: Path) -> Path:
     return lexicons
 
 
-def test_a_missing_package_is_one_line(text: Path, tmp_path: Path) -> None:
-    (tmp_path / "textstat.py").write_text("raise ImportError('No module named pkg_resources')")
+@pytest.mark.parametrize(
+    ("module", "options"),
+    [("textstat", ()), ("vaderSentiment", ()), ("matplotlib", ("--plot", "style.png"))],
+)
+def test_a_missing_package_is_one_line(
+    module: str, options: tuple[str, ...], text: Path, tmp_path: Path
+) -> None:
+    (tmp_path / f"{module}.py").write_text("raise ImportError('No module named pkg_resources')")
     environment = {**ENVIRONMENT, "PYTHONPATH": f"{tmp_path}{os.pathsep}{ROOT}"}
     done = subprocess.run(
-        [sys.executable, "-m", "personage_lite", "measure", str(text)],
+        [sys.executable, "-m", "personage_lite", "measure", str(text), *options],
         env=environment,
         capture_output=True,
         encoding="utf-8",
         check=False,
     )
     assert (done.returncode, done.stdout) == (1, "")
+    assert f"measuring needs {module}, which cannot be imported" in done.stderr
     assert "run: pip install 'personage-lite[measure]'" in one_line(done.stderr)
 
 

@@ -23,10 +23,12 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Print the report, after the plot is written."""
+    from personage_lite.measure.extras import imported
     from personage_lite.measure.plot import check_plot_path, plot
 
-    if arguments.plot is not None:
+    if arguments.plot is not None:  # What would stop it is said before the long work.
         check_plot_path(arguments.plot)
+        imported("matplotlib")
     content, name = _content(arguments.file)
     from personage_lite.measure.reading import read_utterances
     from personage_lite.measure.report import measure
