@@ -28,8 +28,9 @@ from personage_lite.style import check_x
 T = TypeVar("T")
 DEFAULT_X = (-2.0, -1.0, 0.0, 1.0, 2.0)
 SUFFIXES = (".jsonl", ".json")
-# Which turn of its conversation each utterance of one X and character is, over and over: three in
-# sixteen are later ones. The turns before them are said in vain, so they cannot be many.
+# Which turn of its conversation each utterance of one X and character is, over and over, from a
+# place that depends on the character: three in sixteen are later ones. The turns before them are
+# said in vain, so they cannot be many.
 TURNS = (0, 1, 0, 0, 0, 3, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0)
 # So many utterances are written at once, and so many of an unfinished file's last are checked.
 _CHUNK = 50
@@ -64,9 +65,13 @@ class Order(NamedTuple):
         rest, place = divmod(index, len(self.xs))
         number, who = divmod(rest, len(self.characters))
         x, character = self.xs[place], self.characters[who]
-        name = f"{self.seed}/{character}/{x!r}/{number}".encode()
-        seed = int.from_bytes(blake2b(name, digest_size=6).digest(), "big")
-        return Request(character, x, seed, TURNS[number % len(TURNS)])
+        turn = TURNS[(_hashed(character) + number) % len(TURNS)]
+        return Request(character, x, _hashed(f"{self.seed}/{character}/{x!r}/{number}"), turn)
+
+
+def _hashed(name: str) -> int:
+    """Return a number below 2^48, which any reader of JSON can hold, that belongs to a name."""
+    return int.from_bytes(blake2b(name.encode(), digest_size=6).digest(), "big")
 
 
 class Written(NamedTuple):

@@ -46,9 +46,8 @@ def test_the_command(whole: bytes, tmp_path: Path) -> None:
 def test_it_is_even_and_each_utterance_has_its_own_seed(whole: bytes) -> None:
     found = records(whole)
     cells = Counter((one["x"], one["character"]) for one in found)
-    characters = {one.entity.id for one in Generator().characters()}
     assert {x for x, _ in cells} == {-2.0, -1.0, 0.0, 1.0, 2.0}
-    assert {character for _, character in cells} == characters
+    assert len(cells) == min(COUNT, 5 * len(Generator().characters()))
     assert max(cells.values()) - min(cells.values()) <= 1
     assert len({one["seed"] for one in found}) == COUNT
     assert {one["turn"] for one in found} > {0}
@@ -100,7 +99,10 @@ def test_seeds_depend_on_nothing_else() -> None:
     many = Order(3, (-2.0, 2.0), ("alice", "hatter"), {}, "mild", None)
     assert few.request(5) == many.request(5 * 4 + 1)
     assert few.request(5) != few._replace(seed=4).request(5)
-    assert [few.request(index).turn for index in range(len(TURNS))] == [*TURNS]
+    turns = [few.request(index).turn for index in range(len(TURNS))]
+    assert sorted(turns) == sorted(TURNS)
+    start = turns.index(3) - TURNS.index(3)
+    assert turns == [*TURNS[-start:], *TURNS[:-start]]
 
 
 def test_workers_change_no_byte(whole: bytes, tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ from personage_lite.data import data_folder
 from personage_lite.errors import nearest
 from personage_lite.lexicon import Marker, load_lexicon
 from personage_lite.measure.lists import Lists, read_lists
-from personage_lite.measure.patterns import PLACES, Finder, Pattern, pattern_of
+from personage_lite.measure.patterns import PLACES, Finder, Names, Pattern, pattern_of
 from personage_lite.yaml_reader import Node, read_yaml
 
 DIRECTIONS = ("rises", "falls", "none")
@@ -129,7 +129,7 @@ def _feature(
         item.need("label").text(),
         per,
         quantity,
-        Finder(patterns, lists) if patterns else None,
+        Finder(patterns, lists, _names(item, markers)) if patterns else None,
         item.get("markers") is not None,
         item.flag_of("content"),
         direction,
@@ -160,12 +160,33 @@ def _patterns_of(kind: str, marker: Marker) -> list[Pattern]:
     """Return what a marker can look like in a text."""
     text, place = marker.text, marker.place or _PLACES_OF_KINDS.get(kind, "")
     if _TOPIC in text:
-        # Whatever stands for the topic, the words beside it are the same.
-        return [pattern_of(text.replace(_TOPIC, ""), "asks" if marker.after == "?" else "")]
+        # Whatever stands for the topic, the words beside it are the same, if there are enough.
+        words = pattern_of(text.replace(_TOPIC, ""), "asks" if marker.after == "?" else "")
+        return [words] if len(words.words) > 1 else []
     found = [pattern_of(text, place, marker.after)]
     if place == "lead" and text.endswith(" that"):
         found.append(pattern_of(text.removesuffix(" that"), place))
     return found
+
+
+def _names(item: Node, markers: Mapping[str, tuple[Marker, ...]]) -> Names | None:
+    """Return the sentences that are but the topic, if a feature's markers can be ("Oh, Pluto!")."""
+    kinds = item.texts_of("markers")
+    topics = [
+        (pattern_of(marker.text.replace(_TOPIC, "")).words, marker.after)
+        for kind in kinds
+        for marker in markers[kind]
+        if _TOPIC in marker.text
+    ]
+    short = [(words, end) for words, end in topics if len(words) < 2]
+    if not short:
+        return None
+    set_off = [
+        {pattern_of(marker.text).words for marker in markers[kind]}
+        for kind in ("acknowledgments", "in_group_marker")
+    ]
+    leads = {*(words for words, _ in short), *set_off[0]}
+    return Names(frozenset(end for _, end in short), frozenset(leads), frozenset(set_off[1]))
 
 
 def _listed_patterns(item: Node) -> list[Pattern]:

@@ -8,6 +8,7 @@ and the closed word classes around it, and what is in doubt does not count.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 from personage_lite.measure.lists import Context, Lists
@@ -39,6 +40,38 @@ class Pattern(NamedTuple):
     after: str = ""
 
 
+class Names(NamedTuple):
+    """Sentences that are but a name: "The Moon!", "Oh, Pluto, pal!".
+
+    `ends` are the marks that one can have, `leads` and `addresses` the words that can be set off
+    before and behind the name. One that only begins the sentence is in doubt ("Help!").
+    """
+
+    ends: frozenset[str]
+    leads: frozenset[tuple[str, ...]]
+    addresses: frozenset[tuple[str, ...]]
+
+    def match(self, words: Sequence[Word], end: str, closed: frozenset[str]) -> bool:
+        """Whether a sentence with its last mark is one."""
+        if end not in self.ends:
+            return False
+        edges = [index for index, word in enumerate(words) if word.before.endswith(",")]
+        parts = [words[start:last] for start, last in pairwise([0, *edges, len(words)])]
+        if len(parts) > 1 and _texts(parts[-1]) in self.addresses:
+            parts.pop()
+        if len(parts) > 1 and _texts(parts[0]) in self.leads:
+            parts.pop(0)
+        return (
+            len(parts) == 1
+            and all(word.capital or word.stem in closed for word in parts[0])
+            and any(word.capital and word.stem not in closed for word in words[1:])
+        )
+
+
+def _texts(words: Sequence[Word]) -> tuple[str, ...]:
+    return tuple(word.text for word in words)
+
+
 def pattern_of(text: str, place: str = "", after: str = "") -> Pattern:
     """Return the pattern of words as a list or a marker has them.
 
@@ -52,8 +85,10 @@ def pattern_of(text: str, place: str = "", after: str = "") -> Pattern:
 class Finder:
     """Looks for patterns together: the longest first, and no word counts twice."""
 
-    def __init__(self, patterns: Iterable[Pattern], lists: Lists) -> None:
-        self._lists = lists
+    def __init__(
+        self, patterns: Iterable[Pattern], lists: Lists, names: Names | None = None
+    ) -> None:
+        self._lists, self._names = lists, names
         self._by_word: dict[str, list[Pattern]] = {}
         starts, ends = [], []
         for pattern in sorted(patterns, key=lambda pattern: -len(pattern.words)):
@@ -68,13 +103,16 @@ class Finder:
 
     def may_find(self, texts: set[str]) -> bool:
         """Whether any pattern can stand among such words (`text` and `stem` of each)."""
-        return bool(self._starts or self._ends) or not self._by_word.keys().isdisjoint(texts)
+        always = self._starts or self._ends or self._names
+        return bool(always) or not self._by_word.keys().isdisjoint(texts)
 
     def find(self, words: Sequence[Word], end: str) -> list[tuple[int, int]]:
         """Return where patterns stand in a sentence with its last mark, as (first, behind last).
 
         Words in quotations are passed over: they are not the speaker's own.
         """
+        if self._names and self._names.match(words, end, self._lists.closed):
+            return [(0, len(words))]
         found = []
         index = 0
         while index < len(words):
