@@ -12,6 +12,7 @@ from personage_lite.errors import DataError, PersonageError, nearest
 from personage_lite.facts_reader import character_files, read_character
 from personage_lite.generator import DEFAULT_STYLE
 from personage_lite.lexicon import load_lexicon, load_style
+from personage_lite.measure.features import load_features
 from personage_lite.sentence_planner import PRAGMATIC_MARKERS
 
 
@@ -42,6 +43,8 @@ def check_lexicons(folder: str | PathLike[str]) -> Report:
     try:
         lexicon = load_lexicon(folder)
         style = load_style(folder, DEFAULT_STYLE)
+        if isfile(join(folder, "features.yaml")):  # Generation does without.
+            load_features(folder)
     except PersonageError as error:
         return Report("lexicons", [str(error)])
     report = Report(

@@ -271,8 +271,10 @@ def test_check(tmp_path: Path) -> None:
 
 def test_version_and_help() -> None:
     assert say("--version") == [f"personage-lite {__version__}"]
-    assert {"generate", "characters", "check"} <= set(" ".join(say("--help")).split())
-    for command in ("generate", "characters", "check"):
+    assert {"generate", "characters", "check", "measure", "corpus"} <= set(
+        " ".join(say("--help")).split()
+    )
+    for command in ("generate", "characters", "check", "measure", "corpus"):
         assert say(command, "--help")[-1].startswith(f"example: personage-lite {command}")
 
 
@@ -345,10 +347,7 @@ def test_bad_values(arguments: list[str], message: str) -> None:
         (["generate", "--character", "alice", "--format", "xml"], "invalid choice: 'xml' (choose"),
         (["characters", "alice"], "unrecognized arguments: alice; see personage-lite --help"),
         (["check", "facts", "lexicons"], "unrecognized arguments: lexicons; see"),
-        (
-            ["speak"],
-            "'speak' (choose from 'generate', 'characters', 'realize', 'check'); see",
-        ),
+        (["speak"], "'speak' (choose from 'generate', 'characters', 'realize', 'measure', "),
         (["--loud"], "required: COMMAND; see personage-lite --help"),
     ],
 )

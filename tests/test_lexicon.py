@@ -21,6 +21,7 @@ from tests.mutation import check_message, spoilt
 SHIPPED = Path(data_folder("lexicons"))
 STYLE = f"{DEFAULT_STYLE}.yaml"
 FILES = {path.name: path.read_text("utf-8") for path in sorted(SHIPPED.glob("*.yaml"))}
+del FILES["features.yaml"]  # Only `measure` reads it: tests/test_measure_features.py.
 
 
 @pytest.fixture(scope="module")
