@@ -89,13 +89,17 @@ class Concept(NamedTuple):
 
 
 class Lexicon(NamedTuple):
-    """All words that generation can choose from; read-only, threads may share it."""
+    """All words that generation can choose from; read-only, threads may share it.
+
+    `attention` are the markers that announce something ("guess what?"): one is enough.
+    """
 
     markers: dict[str, tuple[Marker, ...]]
     templates: dict[str, tuple[Template, ...]]
     someone: dict[str, str]
     adjectives: dict[str, Concept]
     verbs: dict[str, Concept]
+    attention: frozenset[str]
     grammar: Grammar
 
 
@@ -136,8 +140,15 @@ def load_lexicon(folder: str | PathLike[str]) -> Lexicon:
     Raises `DataError` that names file, line and remedy for anything unknown, missing or empty.
     """
     templates, someone = _read_templates(read_yaml(join(folder, "templates.yaml")))
+    markers = _read_markers(read_yaml(join(folder, "markers.yaml")))
+    announcing = [
+        *markers["anticipation"],
+        *(marker for marker in markers["topic_shift"] if marker.after == "?"),
+        *(marker for marker in markers["emphasizer_hedges"] if marker.place == "news"),
+    ]
     return Lexicon(
-        markers=_read_markers(read_yaml(join(folder, "markers.yaml"))),
+        markers=markers,
+        attention=frozenset(marker.text for marker in announcing),
         templates=templates,
         someone=someone,
         adjectives=_read_concepts(read_yaml(join(folder, "adjectives.yaml")), verbs=False),

@@ -53,7 +53,9 @@ class OperatorDraws:
 
     def marker(self, markers: Sequence[Marker]) -> Marker | None:
         """Return a marker that suits X, rather a fresh one; None if this utterance has used all."""
-        used = self._used
+        used, attention = self._used, self._turn.lexicon.attention
+        if not attention.isdisjoint(used):
+            used = used | attention
         x = self._turn.x
         able = [m for m in markers if m.text not in used and m.lean * x >= _LEAST_LEAN]
         if len(able) < 2:

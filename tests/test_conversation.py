@@ -193,7 +193,7 @@ class Mention(NamedTuple):
     """A noun phrase that stands for an entity, where it is heard.
 
     `clause_subject` is whom its own clause is about, if that was said already, and
-    `subject_before` whom the clause before was about.
+    `subject_before` whom the clause before was about; an `argument` is all of its verb's object.
     """
 
     phrase: NounPhrase
@@ -201,6 +201,7 @@ class Mention(NamedTuple):
     is_subject: bool
     clause_subject: str
     subject_before: str
+    argument: bool = False
 
     @property
     def entity(self) -> str:
@@ -280,14 +281,15 @@ class Listener:
         complement = None if clause.mood == "exclamative" else clause.complement
         phrases = [clause.indirect_object, clause.object, complement]
         for phrase in (*phrases, *clause.adverbials, *clause.asides):
+            alone = isinstance(phrase, Text) and len(phrase.parts) == 1
             if phrase is not None:
-                self._phrase(phrase, owner, before)
+                self._phrase(phrase, owner, before, alone and phrase in phrases[:2])
 
     def _relative(self, phrase: NounPhrase, owner: str, before: str) -> None:
         if phrase.relative is not None and isinstance(phrase.relative.clause, Clause):
             self._predicate(phrase.relative.clause, owner, before)
 
-    def _phrase(self, phrase: Phrase, owner: str, before: str) -> None:
+    def _phrase(self, phrase: Phrase, owner: str, before: str, argument: bool = False) -> None:
         if isinstance(phrase, Coordination):
             for item in phrase.items:
                 self._phrase(item, owner, before)
@@ -297,17 +299,24 @@ class Listener:
             for part in phrase.parts:
                 if isinstance(part, Cased):
                     subject = part.case == "subjective"
-                    self._mention(part.phrase, part.case, subject, owner, before)
+                    argument = argument and part.case == "objective"
+                    self._mention(part.phrase, part.case, subject, owner, before, argument)
                     if part.phrase.relative is not None:
                         self._relative(part.phrase, part.phrase.entity, owner)
                         self.about = part.phrase.entity
 
     def _mention(
-        self, phrase: NounPhrase, case: str, is_subject: bool, owner: str, before: str
+        self,
+        phrase: NounPhrase,
+        case: str,
+        is_subject: bool,
+        owner: str,
+        before: str,
+        argument: bool = False,
     ) -> None:
         if not phrase.entity or case == "reflexive":
             return
-        mention = Mention(phrase, case, is_subject, owner, before)
+        mention = Mention(phrase, case, is_subject, owner, before, argument)
         if phrase.pronoun and not self._clear(mention):
             self.faults.append(f"{mention.kind} pronoun for {mention.entity}")
         self.sentence.append(mention)
@@ -322,7 +331,10 @@ class Listener:
             return False
         if mention.is_subject and mention.subject_before == mention.entity:
             return True
-        return {other.entity for other in lately if other.kind == mention.kind} == {mention.entity}
+        rivals = {other.entity for other in lately if other.kind == mention.kind}
+        if mention.argument:
+            rivals.discard(mention.clause_subject)  # that would be "herself"
+        return rivals == {mention.entity}
 
 
 def conversation(seed: int, x: float, changing: bool, count: int = 5) -> Iterator[Utterance]:

@@ -157,7 +157,7 @@ def _last_mention(clause: Clause) -> str:
 
 
 def with_cue_word(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | None:
-    """Say a possession after "with": "The White Rabbit is small, with pink eyes"."""
+    """Say how parts look after "with": "The White Rabbit is small, with pink eyes"."""
     left, last, right = pair.left, pair.last, pair.right
     if len(left.clauses) > 1 or last.clause.asides:
         return None
@@ -174,12 +174,8 @@ def with_cue_word(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint 
 
 
 def _owned(last: ClausePlan, right: ClausePlan) -> tuple[Cased | Phrase, ...] | None:
-    """Return what the right clause says that the left one's subject has."""
+    """Return what the right clause says of parts of the left one's subject."""
     clause = right.clause
-    if clause.verb == "have" and same_subject(last, right) and not clause.adverbs:
-        if isinstance(clause.object, Text) and not clause.adverbials and not clause.perfect:
-            return clause.object.parts
-        return None
     part, quality = clause.subject, clause.complement
     if not isinstance(part, NounPhrase) or part.possessor is None:
         return None

@@ -57,17 +57,22 @@ class ReferringExpressions:
 
     # Choosing
 
-    def _has_rivals(self, entity: Entity) -> bool:
-        """Whether the pronoun could mean somebody else who was mentioned lately."""
+    def _has_rivals(self, entity: Entity, objective: bool) -> bool:
+        """Whether the pronoun could mean somebody else who was mentioned lately.
+
+        An object is never its clause's subject: that would be "herself".
+        """
         own = entity.phrase
         for key in (*self._here, *self._before):
+            if objective and key == self._clause_subject:
+                continue
             other = self._entities[key].phrase
             alike = own.number == "plural" or other.gender == own.gender
             if alike and other.number == own.number and key != entity.id:
                 return True
         return False
 
-    def _may_be_pronoun(self, entity: Entity, subjective: bool) -> bool:
+    def _may_be_pronoun(self, entity: Entity, subjective: bool, objective: bool) -> bool:
         if entity.id not in self._here and entity.id not in self._before:
             return False
         if self._turn_before and entity.id not in self._here and entity.id != self._going_on:
@@ -76,7 +81,7 @@ class ReferringExpressions:
         neuter = entity.phrase.gender == "neuter" and entity.phrase.number == "singular"
         if subjective and self._subject == entity.id and not neuter:
             return True
-        return not self._has_rivals(entity)
+        return not self._has_rivals(entity, objective)
 
     def form(
         self,
@@ -84,6 +89,7 @@ class ReferringExpressions:
         subjective: bool,
         bound: bool = False,
         possessive: bool = False,
+        objective: bool = False,
     ) -> NounPhrase:
         """Return a mention in the form in which it is said here."""
         entity = self._entities.get(phrase.entity)
@@ -91,7 +97,7 @@ class ReferringExpressions:
             return phrase
         if bound:
             return phrase._replace(pronoun=True)
-        chosen = self._form(entity, phrase.stutter > 0, subjective)
+        chosen = self._form(entity, phrase.stutter > 0, subjective, objective)
         if possessive and not chosen.pronoun:
             chosen = entity.short_phrase  # "the Queen's guests"
         if phrase.stutter and not chosen.pronoun:
@@ -102,9 +108,9 @@ class ReferringExpressions:
         self._said.add(entity.id)
         return chosen
 
-    def _form(self, entity: Entity, named: bool, subjective: bool) -> NounPhrase:
+    def _form(self, entity: Entity, named: bool, subjective: bool, objective: bool) -> NounPhrase:
         self._count += 1
-        if not named and self._may_be_pronoun(entity, subjective):
+        if not named and self._may_be_pronoun(entity, subjective, objective):
             probability = self._pronominalization
             if entity.id in self._here or entity.id in self._pronouns:
                 # Within a sentence, and where it was a pronoun before: no way back to the name.
@@ -229,9 +235,9 @@ class ReferringExpressions:
         self._clause_subject = owner
         indirect, direct, complement = clause.indirect_object, clause.object, clause.complement
         if isinstance(indirect, Text):
-            indirect = self._text(indirect)
+            indirect = self._text(indirect, argument=True)
         if isinstance(direct, Text):
-            direct = self._text(direct)
+            direct = self._text(direct, argument=True)
         if isinstance(complement, Text):
             complement = self._text(complement)
         adverbials, asides = clause.adverbials, clause.asides
@@ -255,14 +261,16 @@ class ReferringExpressions:
     def _phrase(self, phrase: Phrase) -> Phrase:
         return self._text(phrase) if isinstance(phrase, Text) else phrase
 
-    def _text(self, text: Text) -> Text:
+    def _text(self, text: Text, argument: bool = False) -> Text:
+        """Resolve the mentions among words; an `argument` is its clause's object."""
         parts: list[Cased | Phrase] = []
         changed = False
         for part in text.parts:
             if isinstance(part, Cased) and part.phrase.entity and part.case != "reflexive":
                 bound = part.phrase.entity == self._clause_subject
                 # A subject inside a clause does not go on with the clause before.
-                form = self.form(part.phrase, False, bound, part.case == "possessive")
+                objective = argument and len(text.parts) == 1 and part.case == "objective"
+                form = self.form(part.phrase, False, bound, part.case == "possessive", objective)
                 parts.append(Cased(form, part.case))
                 changed = True
             else:

@@ -59,9 +59,9 @@ def acknowledgments(
         if plan.terminal != "?" or not any(map(_is_mention, plan.fragment.parts)):
             return None
         return _opener(plan, "acknowledgments", ("question",), rng, lexicon)
-    places: tuple[str, ...] = ("sentence", "utterance") if plan.first else ("sentence",)
-    if plan.answers:
-        places = (*places, "answer")
+    if not plan.first:
+        return None  # one answers before one speaks, not in between
+    places = ("sentence", "utterance", "answer") if plan.answers else ("sentence", "utterance")
     return _opener(plan, "acknowledgments", places, rng, lexicon)
 
 
