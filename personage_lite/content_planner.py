@@ -211,11 +211,12 @@ def plan_content(character: Character, turn: Turn) -> tuple[ContentPlan, list[De
         links = planner.stress(links, messages)
     new_topic = turn.state.topic != character.entity.id
     confirmation = new_topic and planner.decide("request_confirmation")
-    # Nobody disclaims a plain neutral fact.
     recalls = messages[0].role == "recall"
     first = messages[0].fact
     story = character.topics[first.topic].in_order
-    doubtful = not (confirmation or recalls or story) and first.polarity != "neutral"
+    # Nobody disclaims a plain neutral fact, a view of somebody, or the next step of a story.
+    view = isinstance(first.clause.complement, AdjectivePhrase)
+    doubtful = first.polarity != "neutral" and not (confirmation or recalls or story or view)
     rejection = doubtful and planner.decide("initial_rejection")
     mitigation = not (rejection or recalls) and planner.decide("competence_mitigation")
     plan = ContentPlan(tuple(messages), tuple(links), confirmation, rejection, mitigation)

@@ -43,6 +43,11 @@ class OperatorDraws:
         """Which expletives are allowed."""
         return self._turn.rating
 
+    @property
+    def announced(self) -> bool:
+        """Whether the utterance has announced something already: "Wait till you hear this!"."""
+        return not self._turn.lexicon.attention.isdisjoint(self._used)
+
     def uniform(self, name: str) -> float:
         """Return the number in [0, 1) of this operator, place and `name`."""
         return self._turn.draws.uniform(f"{self._scope}/{name}")
@@ -53,9 +58,7 @@ class OperatorDraws:
 
     def marker(self, markers: Sequence[Marker]) -> Marker | None:
         """Return a marker that suits X, rather a fresh one; None if this utterance has used all."""
-        used, attention = self._used, self._turn.lexicon.attention
-        if not attention.isdisjoint(used):
-            used = used | attention
+        used = self._used | self._turn.lexicon.attention if self.announced else self._used
         x = self._turn.x
         able = [m for m in markers if m.text not in used and m.lean * x >= _LEAST_LEAN]
         if len(able) < 2:

@@ -151,10 +151,10 @@ def test_recent_markers_are_damped(operator: str) -> None:
     """Right after a turn that used an operator it is rarer than after one that did not."""
     after: dict[bool, list[bool]] = {True: [], False: []}
     overrides = {operator: 0.5, "verbosity": 0.0}
-    for seed in range(600):
+    for seed in range(1200):
         first, second = GENERATOR.turns(CHARACTERS[seed % 3], 0, seed, count=2, overrides=overrides)
         after[marked(first, operator)].append(marked(second, operator))
-    assert fmean(after[True]) < 0.9 * fmean(after[False])
+    assert fmean(after[True]) < 0.95 * fmean(after[False])
 
 
 def test_damping_wears_off() -> None:
@@ -401,7 +401,9 @@ def test_the_listener_notices() -> None:
     assert faults(she_sees)
     assert not faults(named, she_sees)
     dinah_sees = Clause("see", dinah, object=Text((Cased(_alice(True)),)))
-    assert faults(named, dinah_sees)
+    assert not faults(named, dinah_sees)  # "herself" if it were Dinah
+    dinah_sits = Clause("sit", dinah, adverbials=(Text(("beside", Cased(_alice(True)))),))
+    assert faults(named, dinah_sits)
     assert faults(named, Clause("see", dinah, object=Text((Cased(_alice(False)),))), she_sees)
     bound = Clause("see", dinah, object=Text((Cased(dinah._replace(pronoun=True), "possessive"),)))
     assert not faults(named, bound)

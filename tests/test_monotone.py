@@ -145,10 +145,9 @@ def interruptions(said: Utterance) -> list[str]:
 
 
 def softeners(said: Utterance) -> float:
-    """Count "somewhat", "I think that", "…, it seems" and "around"."""
+    """Count "somewhat", "I think that" and "…, it seems"."""
     heard = degrees(said) + frames(said) + [s.afterthought for s in said.sentences]
-    around = [part for part in words(said) if part == "around"]
-    return sum(word in SOFTENERS for word in heard + around)
+    return sum(word in SOFTENERS for word in heard)
 
 
 def informal(said: Utterance) -> float:
@@ -255,23 +254,23 @@ RISING: list[tuple[Measure, float]] = [
     (word_count, 8.0),
     (fact_count, 1.2),
     (positive_words, 0.6),
-    (tags, 0.15),
+    (tags, 0.05),
     (vocatives, 0.2),
     (exclamations, 0.8),
-    (emphasizers, 0.4),
+    (emphasizers, 0.3),
     (first_person, 0.2),
-    (good_news, 0.25),
+    (good_news, 0.15),
     (oaths, 0.1),
     (confirmations, 0.1),
 ]
 FALLING: list[tuple[Measure, float]] = [
-    (softeners, 0.3),
+    (softeners, 0.15),
     (stutters, 0.2),
     (hesitations, 0.015),
-    (rejections, 0.15),
+    (rejections, 0.05),
 ]
 # What is rare on one side, where chance, or what else stands there, may hide a small step.
-ROUGHLY: list[tuple[Measure, float]] = [(acknowledgments, 0.4), (false_starts, -0.004)]
+ROUGHLY: list[tuple[Measure, float]] = [(acknowledgments, 0.1), (false_starts, -0.004)]
 _A_STEP = 0.01
 MARKERS: list[Measure] = [
     softeners,
@@ -353,7 +352,7 @@ def test_two_seeds_differ(sample: Sample, x: int) -> None:
     said = [utterance.text for utterance in sample[x]]
     # Three seeds on, it is the same character's turn again.
     assert fmean(one != other for one, other in zip(said, said[3:], strict=False)) > 0.97
-    assert len(set(said)) > 0.5 * len(said)
+    assert len(set(said)) > 0.4 * len(said)
 
 
 @pytest.mark.parametrize("x", XS[:-1])

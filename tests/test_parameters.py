@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from statistics import fmean
 from typing import NamedTuple, TypeAlias
 
@@ -30,7 +31,8 @@ from personage_lite.realizer.specification import (
     Text,
 )
 
-GENERATOR = Generator()
+# Facts rich in qualities and relations, so that every parameter has something to show itself in.
+GENERATOR = Generator(facts=Path(__file__).parent / "facts")
 LEXICON = GENERATOR.lexicon
 CHARACTERS = ("alice", "white_rabbit", "queen_of_hearts")
 SEEDS = 100
@@ -155,6 +157,14 @@ def count(found: Callable[[Utterance], list[str]], *kinds: str) -> Measure:
     """Count how often an utterance holds words of some kinds of marker."""
     words = set().union(*(texts(kind) for kind in kinds))
     return lambda said: [float(sum(word in words for word in found(said)))]
+
+
+def fragments(kind: str) -> Measure:
+    """Count the sentences of a kind of marker."""
+    words = {(marker.text,) for marker in LEXICON.markers[kind]}
+    return lambda said: [
+        float(sum(isinstance(one.body, Text) and one.body.parts in words for one in said.sentences))
+    ]
 
 
 def of_clauses(holds: Callable[[Clause], bool]) -> Measure:
@@ -380,9 +390,11 @@ def near_oaths(said: Utterance) -> list[float]:
 
 
 def disclaimable(said: Utterance) -> bool:
-    """Whether an utterance begins with new news, good or bad."""
+    """Whether an utterance begins with news, good or bad, that one can be wrong about."""
     first = said.plan.messages[0]
-    return first.role == "assertion" and first.fact.polarity != "neutral"
+    view = isinstance(first.fact.clause.complement, AdjectivePhrase)
+    story = GENERATOR.character(said.character).topics[first.fact.topic].in_order
+    return first.role == "assertion" and first.fact.polarity != "neutral" and not (view or story)
 
 
 class Probe(NamedTuple):
@@ -446,7 +458,7 @@ PROBES: dict[str, Probe] = {
         setting=AGAIN,
     ),
     "content_polarity": Probe(
-        lambda said: [float(fact.polarity == "good") for fact in facts(said)], 0.4, never=False
+        lambda said: [float(fact.polarity == "good") for fact in facts(said)], 0.3, never=False
     ),
     "repetition_polarity": Probe(
         said_again_good, 0.3, never=False, setting=AGAIN | {"repetitions": 1.0, "verbosity": 0.7}
@@ -468,12 +480,12 @@ PROBES: dict[str, Probe] = {
     "initial_rejection": Probe(
         # Nobody disclaims a plain neutral fact, nor what was told before.
         lambda said: rejections(said) if disclaimable(said) else [],
-        0.9,
+        0.8,
         setting={"request_confirmation": 0.0},
         turn=1,
     ),
     "competence_mitigation": Probe(
-        mitigations, 0.8, setting={"initial_rejection": 0.0, "self_references": 0.0}
+        mitigations, 0.5, setting={"initial_rejection": 0.0, "self_references": 0.0}
     ),
     # Syntactic template selection
     "self_references": Probe(
@@ -498,7 +510,7 @@ PROBES: dict[str, Probe] = {
     ),
     "conjunction": Probe(count(cues, "conjunction"), 0.1, setting=SOME),
     "merge": Probe(merged, 0.06, setting=PLAIN | MANY),
-    "also_cue_word": Probe(also, 0.08, setting=SOME),
+    "also_cue_word": Probe(also, 0.02, setting=SOME),
     "contrast_cue_word": Probe(
         count(cues, "contrast_cue_word"), 0.1, setting=MANY | {"concede_cue_word": 0.0}
     ),
@@ -514,8 +526,8 @@ PROBES: dict[str, Probe] = {
     # Pragmatic markers
     "subject_implicitness": Probe(implicit_subjects, 0.1, setting={"verbosity": 0.8}),
     "stuttering": Probe(stutters, 0.7),
-    "pronominalization": Probe(pronoun_subjects, 0.5, never=False, setting=SOME),
-    "negation": Probe(negated_antonyms, 0.15),
+    "pronominalization": Probe(pronoun_subjects, 0.4, never=False, setting=SOME),
+    "negation": Probe(negated_antonyms, 0.08),
     "softener_hedges": Probe(
         softened("softener_hedges"),
         0.7,
@@ -539,11 +551,11 @@ PROBES: dict[str, Probe] = {
     "exclamation": Probe(
         of_sentences(lambda sentence: sentence.terminal == "!"),
         0.5,
-        setting={"request_confirmation": 0.0},
+        setting={"request_confirmation": 0.0, "anticipation": 0.0, "reaction": 0.0},
     ),
     "expletives": Probe(oaths, 0.4, rating="strong"),
     "near_expletives": Probe(near_oaths, 0.4),
-    "tag_question": Probe(lambda said: [float(any(s.tag for s in said.sentences))], 0.6),
+    "tag_question": Probe(lambda said: [float(any(s.tag for s in said.sentences))], 0.3),
     "in_group_marker": Probe(lambda said: [float(any(s.vocative for s in said.sentences))], 0.8),
     # Lexical choice
     "lexicon_frequency": Probe(
@@ -568,10 +580,15 @@ PROBES: dict[str, Probe] = {
     "contractions": Probe(contractions, 0.4, never=False, setting=SOME),
     # Discourse
     "setting": Probe(
-        lambda said: [float(any(clause.preposed for clause in clauses(said)))], 0.1, turn=3
+        lambda said: [float(any(clause.preposed for clause in clauses(said)))],
+        0.05,
+        setting=SOME,
+        turn=12,
     ),
     "topic_shift": Probe(count(openers, "topic_shift"), 0.1, setting=SOME, turn=3),
-    "recall": Probe(lambda said: [float(len(said.recalled))], 0.2, setting=SOME, turn=4),
+    "recall": Probe(lambda said: [float(len(said.recalled))], 0.1, setting=SOME, turn=8),
+    "anticipation": Probe(fragments("anticipation"), 0.1, setting=SOME, turn=3),
+    "reaction": Probe(fragments("reaction"), 0.1, setting=SOME, turn=3),
 }
 
 

@@ -36,7 +36,8 @@ def _opener(
     """Put one of a kind's openers before a sentence."""
     first = plan.clauses[0] if plan.clauses else None
     sworn = first is not None and first.frame is not None and EMPHASIZED in first.marks
-    if not opener_fits(plan) or sworn or crowded(plan):
+    announced = rng.announced and plan.first
+    if not opener_fits(plan) or sworn or announced or crowded(plan):
         return None
     marker = rng.marker([item for item in lexicon.markers[kind] if item.place in places])
     return None if marker is None else with_opener(plan, marker)
