@@ -16,6 +16,9 @@ from personage_lite.plan import Utterance
 
 GOLDEN = Path(__file__).parent / "golden"
 CHARACTERS = ("alice", "white_rabbit", "queen_of_hearts")
+# Whole conversations: turn after turn of each, short of everything there is to tell.
+TALKS = ("gardeners", "hatter", "mock_turtle", "saturn")
+TALKED = [(-2, 14), (0, 12), (2, 10)]
 REQUESTS = [(x, seed) for x in (-2, -1, 0, 1, 2) for seed in (1, 2, 3)]
 
 
@@ -50,7 +53,22 @@ def test_golden_texts(character: str, update: bool) -> None:
         for x, seed in REQUESTS
         for utterance in generator.turns(character, x, seed, count=2)
     ]
-    path = GOLDEN / f"{character}.yaml"
+    _compare(GOLDEN / f"{character}.yaml", said, update)
+
+
+@pytest.mark.parametrize("character", TALKS)
+def test_golden_talks(character: str, update: bool) -> None:
+    """Conversations of a dozen turns are as reviewed: topics flow, stories keep their order."""
+    generator = Generator()
+    said = [
+        described(utterance)
+        for x, count in TALKED
+        for utterance in generator.turns(character, x, 1, count=count)
+    ]
+    _compare(GOLDEN / f"talk_{character}.yaml", said, update)
+
+
+def _compare(path: Path, said: list[dict[str, Any]], update: bool) -> None:
     if update:
         content = yaml.safe_dump(said, allow_unicode=True, sort_keys=False, width=100)
         path.write_text(content, encoding="utf-8")
