@@ -145,6 +145,10 @@ def test_a_lively_utterance(name: str, count: int) -> None:
         ("tag_questions", "Is she not late, is she not? They're late, aren't they, Alice?", 2),
         ("tag_questions", "When she ran, did she fall? Alice, is she late?", 0),
         ("questions", "When she ran, did she fall? She fell, didn't she?", 1),
+        # said again
+        ("repetitions", "She's so shy, really shy. It's really, really cold.", 2),
+        ("repetitions", "Half lion and half eagle. The Mock Turtle is a turtle.", 0),
+        ("repetitions", "Mars's dust is… Mars's dust is red, isn't it? He, he says, ran.", 0),
         # others
         ("initial_rejections", "I might be wrong, but she ran.", 1),
         ("competence_mitigation", "As everybody knows, she ran.", 1),

@@ -141,12 +141,20 @@ def _is_contraction(words: Sequence[Word], index: int, features: Features) -> bo
 
 
 def _repetitions(words: Sequence[Word], closed: frozenset[str]) -> int:
-    """Count the words of open classes that are said again within a few words."""
-    texts = ["" if word.quoted or word.stem in closed else word.text for word in words]
-    return sum(
-        text != "" and text in texts[max(0, index - _AGAIN) : index]
-        for index, text in enumerate(texts)
-    )
+    """Count the words of open classes that are said again after a comma ("so shy, really shy").
+
+    Without one it is no emphasis: "half lion and half eagle", "the Mock Turtle is a turtle".
+    """
+    last: dict[str, int] = {}
+    heard: dict[str, int] = {}  # how many commas there were before it
+    commas = found = 0
+    for index, word in enumerate(words):
+        commas += word.before == ","
+        if not word.quoted and word.stem not in closed:
+            near = index - last.get(word.text, -_AGAIN - 1) <= _AGAIN
+            found += near and commas > heard[word.text]
+            last[word.text], heard[word.text] = index, commas
+    return found
 
 
 def value_of(feature: Feature, totals: Mapping[str, int]) -> float | None:
