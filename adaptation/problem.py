@@ -27,7 +27,11 @@ SAMPLE_SECONDS = 0.2
 
 
 class Context(NamedTuple):
-    """What a learner knows when it chooses: the step, X in force and the sensed E; shape (trials,)."""
+    """What a learner knows when it chooses: the step (from 0), X in force, the sensed E.
+
+    `x` and `engagement` have shape (trials,); X in force is that of the last utterance, 0 before
+    the first one.
+    """
 
     step: int
     x: Ints

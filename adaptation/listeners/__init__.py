@@ -1,0 +1,1 @@
+"""Simulated listeners: how engagement answers to X."""
