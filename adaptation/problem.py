@@ -67,4 +67,5 @@ def moved(x: Ints, action: Ints) -> Ints:
     >>> moved(np.array([-2, 0, 2]), np.array([-1, 1, 1]))
     array([-2,  1,  2])
     """
-    return np.clip(x + action, LOWEST, HIGHEST)
+    after: Ints = np.clip(x + action, LOWEST, HIGHEST)
+    return after
