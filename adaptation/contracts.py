@@ -233,4 +233,6 @@ class _Talk:
         stream: Any = (path + error).T
         stream[np.arange(self._listener.longest) >= samples[:, None]] = math.nan
         sensed = np.clip(np.nanmean(stream, axis=1), LOWEST, HIGHEST)
-        return Outcome(sensed - self._sensed, x, sensed, stream, 1.0 * samples * SAMPLE_SECONDS)
+        return Outcome(
+            sensed - self._sensed, x, sensed, stream, (samples * SAMPLE_SECONDS).astype(np.float64)
+        )

@@ -126,9 +126,10 @@ class Experiment:
         x: Ints = np.zeros(trials, dtype=np.int64)
         shape = (self.steps, trials)
         block = Block(np.empty(shape), np.empty(shape, bool), np.empty(shape), np.empty(shape, int))
+        reveal = learner.reveal if isinstance(learner, Revealed) else None
         for step in range(self.steps):
-            if isinstance(learner, Revealed):
-                learner.reveal(preference[step])
+            if reveal:
+                reveal(preference[step])
             context = Context(step, x, world.sensed)
             choice = learner.choose(context, chances[step])
             x = moved(x, choice.action)

@@ -12,8 +12,7 @@ import math
 import numpy as np
 
 from adaptation.listeners.base import LiveListener
-from adaptation.problem import HIGHEST, LOWEST, SAMPLE_SECONDS, Floats, Ints, Outcome
-from adaptation.problem import LEVELS as LEVELS_OF_X
+from adaptation.problem import LEVELS, SAMPLE_SECONDS, Floats, Ints, Outcome, within
 from adaptation.world import Coins, Noise, offset, rewarded
 from personage_lite.errors import PersonageError
 
@@ -87,7 +86,7 @@ class LiveWorld:
         """Let the listeners hear an utterance; returns reward, sensed E, stream and duration."""
         if self._coins.listener is not None:
             coin, which = self._coins.listener[step]
-            anyhow = LEVELS_OF_X[(which * len(LEVELS_OF_X)).astype(np.int64)]
+            anyhow = LEVELS[(which * len(LEVELS)).astype(np.int64)]
             preference = np.where(coin < self._noise.listener, anyhow, preference)
         path, samples = self._listener.listen(self._true, x, preference)
         longest = self._listener.longest
@@ -96,17 +95,17 @@ class LiveWorld:
         stream: Floats = path + errors
         if self._coins.sensor is not None:
             stream += offset(self._coins.sensor[step], self._noise.sensor)
-        within = np.arange(longest)[:, None] < samples
+        lasting = np.arange(longest)[:, None] < samples
         heard = np.concatenate((self._window, stream))
         # The last values until each utterance's own end: of a short one, some of before it.
         self._window = heard[samples + np.arange(WINDOW)[:, None], self._trials]
         sensed = averaged(self._window)
         reward = rewarded(sensed, self.sensed, self._floor_bonus)
-        self.engagement = np.where(within, path, 0).sum(axis=0) / samples
+        self.engagement = np.where(lasting, path, 0).sum(axis=0) / samples
         self._true = path[samples - 1, self._trials]
         self._errors = errors[samples - 1, self._trials]
         self.sensed = sensed
-        stream[~within] = np.nan
+        stream[~lasting] = np.nan
         return Outcome(reward, x, sensed, stream.T, (samples * SAMPLE_SECONDS).astype(np.float64))
 
 
@@ -116,5 +115,4 @@ def averaged(window: Floats) -> Floats:
     >>> averaged(np.array([[0.0, 2.5], [1.0, 2.5]]))
     array([0.5, 2. ])
     """
-    mean: Floats = np.clip(window.mean(axis=0), LOWEST, HIGHEST)
-    return mean
+    return within(window.mean(axis=0))

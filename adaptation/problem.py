@@ -67,5 +67,15 @@ def moved(x: Ints, action: Ints) -> Ints:
     >>> moved(np.array([-2, 0, 2]), np.array([-1, 1, 1]))
     array([-2,  1,  2])
     """
-    after: Ints = np.clip(x + action, LOWEST, HIGHEST)
+    after: Ints = np.maximum(np.minimum(x + action, HIGHEST), LOWEST)
     return after
+
+
+def within(engagement: Floats) -> Floats:
+    """Return E kept within -2 and 2.
+
+    >>> within(np.array([-2.5, 0.5, 3.0]))
+    array([-2. ,  0.5,  2. ])
+    """
+    # Not np.clip: with few trials that takes three times as long.
+    return np.maximum(np.minimum(engagement, float(HIGHEST)), float(LOWEST))

@@ -13,7 +13,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from adaptation.listeners.base import Listener
-from adaptation.problem import HIGHEST, LOWEST, Floats, Ints, Outcome
+from adaptation.problem import LOWEST, Floats, Ints, Outcome, within
 
 FLOOR_BONUS = 0.5
 
@@ -88,7 +88,7 @@ class StepWorld:
 
     def _moody(self, heard: Floats, coin: Floats) -> Floats:
         """Return E with its change replaced wherever the listener's coin falls."""
-        anyhow = np.clip(self.engagement + (np.floor(coin[1] * 3) - 1), LOWEST, HIGHEST)
+        anyhow = within(self.engagement + (np.floor(coin[1] * 3) - 1))
         return np.where(coin[0] < self._noise.listener, anyhow, heard)
 
 
@@ -99,7 +99,7 @@ def misread(engagement: Floats, coin: Floats, noise: float) -> Floats:
     >>> misread(np.array([2.0, 0.0, 0.0]), coin, noise=0.5)
     array([ 2., -1.,  0.])
     """
-    return np.clip(engagement + offset(coin, noise), LOWEST, HIGHEST)
+    return within(engagement + offset(coin, noise))
 
 
 def offset(coin: Floats, noise: float) -> Floats:

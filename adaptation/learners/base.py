@@ -153,7 +153,7 @@ def argmax_random_ties(values: Floats, draws: Floats) -> Ints:
     >>> argmax_random_ties(values, np.array([0.9, 0.5, 0.5]))
     array([1, 1, 1])
     """
-    best, _ = _draw_best(values, draws)
+    best, _, _ = _draw_best(values, draws)
     return best
 
 
@@ -170,23 +170,22 @@ def epsilon_greedy(values: Floats, epsilon: float, draws: Floats) -> Choice:
     >>> choice.action, choice.probability.round(3)
     (array([ 1, -1]), array([0.8  , 0.333]))
     """
-    best, ties = _draw_best(values, draws[1])
-    explored = np.minimum((draws[1] * 3).astype(np.int64), 2)
+    best, tied, ties = _draw_best(values, draws[1])
+    explored = (draws[1] * 3).astype(np.int64)
     index = np.where(draws[0] < epsilon, explored, best)
-    chosen = np.choose(index, values)
-    greedy = (1 - epsilon) / ties
-    probability = epsilon / 3 + np.where(chosen == values.max(axis=0), greedy, 0.0)
-    return Choice(ACTIONS[index], probability)
+    greedy = np.choose(index, tied) * ((1 - epsilon) / ties)
+    return Choice(ACTIONS[index], epsilon / len(ACTIONS) + greedy)
 
 
-def _draw_best(values: Floats, draws: Floats) -> tuple[Ints, Ints]:
-    """Return the index of a largest value in each trial, and how many are as large."""
-    heaped = np.cumsum(values == values.max(axis=0), axis=0)
-    ties: Ints = heaped[-1]
-    # draws * ties can be rounded up to `ties`: the last one, then.
-    drawn = np.minimum((draws * ties).astype(np.int64), ties - 1)
-    index: Ints = (heaped <= drawn).sum(axis=0)
-    return index, ties
+def _draw_best(values: Floats, draws: Floats) -> tuple[Ints, NDArray[np.bool_], NDArray[np.int8]]:
+    """Return the index of a largest value in each trial, which are as large, and how many."""
+    tied = values == values.max(axis=0)
+    heaped = tied.cumsum(axis=0, dtype=np.int8)
+    ties: NDArray[np.int8] = heaped[-1]
+    # As draws are below 1 by 2^-53 or more, a product with a small number stays below it, too.
+    drawn = (draws * ties).astype(np.int8)
+    index: Ints = (heaped <= drawn).sum(axis=0, dtype=np.int64)
+    return index, tied, ties
 
 
 def _saved_parts(

@@ -11,7 +11,7 @@ import numpy as np
 from adaptation.learners.base import BatchLearner, epsilon_greedy
 from adaptation.learners.checks import checked_number
 from adaptation.problem import (
-    HIGHEST,
+    ACTIONS,
     LEVELS,
     LOWEST,
     Choice,
@@ -19,6 +19,7 @@ from adaptation.problem import (
     Floats,
     Ints,
     Outcome,
+    within,
 )
 
 _STATES = len(LEVELS) ** 2
@@ -54,18 +55,25 @@ class QLearning(BatchLearner):
         self.alpha = checked_number(self.name, "alpha", alpha, 0, 1)
         self.gamma = checked_number(self.name, "gamma", gamma, 0, 1)
         # A row for each state, a column for each action.
-        self.table: Floats = np.zeros((self.trials, _STATES, 3))
-        self._trials = np.arange(self.trials)
+        self.table: Floats = np.zeros((self.trials, _STATES, len(ACTIONS)))
+        self._rows = np.arange(self.trials) * _STATES
 
     def _choose(self, context: Context, draws: Floats) -> Choice:
-        state = state_of(context.engagement, context.x)
-        return epsilon_greedy(self.table[self._trials, state].T, self.epsilon, draws)
+        row = self._rows + state_of(context.engagement, context.x)
+        return epsilon_greedy(self._values(row), self.epsilon, draws)
 
     def _learn(self, context: Context, choice: Choice, outcome: Outcome) -> None:
-        place = (self._trials, state_of(context.engagement, context.x), choice.action + 1)
-        following = self.table[self._trials, state_of(outcome.engagement, outcome.x)].max(axis=1)
-        target = outcome.reward + self.gamma * following
-        self.table[place] += self.alpha * (target - self.table[place])
+        row = self._rows + state_of(context.engagement, context.x)
+        place = row * len(ACTIONS) + (choice.action + 1)
+        following = self._rows + state_of(outcome.engagement, outcome.x)
+        target = outcome.reward + self.gamma * self._values(following).max(axis=0)
+        flat = self.table.reshape(-1)
+        value = flat.take(place)
+        flat[place] = value + self.alpha * (target - value)
+
+    def _values(self, row: Ints) -> Floats:
+        """Return the values of the actions in each trial's row of the table; (3, trials)."""
+        return np.ascontiguousarray(self.table.reshape(-1, len(ACTIONS)).take(row, axis=0).T)
 
 
 def state_of(engagement: Floats, x: Ints) -> Ints:
@@ -74,5 +82,5 @@ def state_of(engagement: Floats, x: Ints) -> Ints:
     >>> state_of(np.array([-2.0, 0.4, 2.0]), np.array([-2, 0, 2]))
     array([ 0, 12, 24])
     """
-    level = np.rint(np.clip(engagement, LOWEST, HIGHEST)).astype(np.int64)
+    level = np.rint(within(engagement)).astype(np.int64)
     return (level - LOWEST) * len(LEVELS) + (x - LOWEST)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from adaptation.problem import HIGHEST, LOWEST, Floats, Ints
+from adaptation.problem import Floats, Ints, within
 
 
 class Closer:
@@ -32,5 +32,4 @@ class Closer:
         distance = np.abs(x - preference)
         nearer = (distance < np.abs(before - preference)) | (distance == 0)
         change = np.where(nearer, 1.0, -1.0)
-        after: Floats = np.clip(engagement + change, LOWEST, HIGHEST)
-        return after
+        return within(engagement + change)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from adaptation.problem import HIGHEST, LOWEST, Floats, Ints
+from adaptation.problem import Floats, Ints, within
 
 
 class Graded:
@@ -29,5 +29,4 @@ class Graded:
     ) -> Floats:
         """Return E after an utterance with `x`."""
         change = np.sign(1 - np.abs(x - preference))
-        after: Floats = np.clip(engagement + change, LOWEST, HIGHEST)
-        return after
+        return within(engagement + change)

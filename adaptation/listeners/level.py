@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from adaptation.problem import HIGHEST, LOWEST, Floats, Ints
+from adaptation.problem import HIGHEST, Floats, Ints, within
 
 
 class Level:
@@ -30,5 +30,4 @@ class Level:
     ) -> Floats:
         """Return E after an utterance with `x`."""
         target = HIGHEST - np.abs(x - preference)
-        after: Floats = np.clip(engagement + np.sign(target - engagement), LOWEST, HIGHEST)
-        return after
+        return within(engagement + np.sign(target - engagement))

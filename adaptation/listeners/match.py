@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from adaptation.problem import HIGHEST, LOWEST, Floats, Ints
+from adaptation.problem import Floats, Ints, within
 
 
 class Match:
@@ -30,5 +30,4 @@ class Match:
     ) -> Floats:
         """Return E after an utterance with `x`."""
         change = np.where(x == preference, 1.0, -1.0)
-        after: Floats = np.clip(engagement + change, LOWEST, HIGHEST)
-        return after
+        return within(engagement + change)
