@@ -28,7 +28,7 @@ from personage_lite.errors import PersonageError, shown
 # The noise levels of the paper's figure 2.
 PUBLISHED_NOISE = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5)
 # How many trials run side by side: as many as the processor's cache holds.
-BLOCK, LIVE_BLOCK = 2048, 512
+BLOCK, LIVE_BLOCK = 4096, 512
 # Called now and then with the share of the work that is done, from 0 to 1.
 Progress = Callable[[float], None]
 

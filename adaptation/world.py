@@ -121,5 +121,4 @@ def rewarded(sensed: Floats, before: Floats, floor_bonus: bool) -> Floats:
     stays = change == 0
     if not floor_bonus:
         stays &= sensed > LOWEST
-    reward: Floats = change + FLOOR_BONUS * stays
-    return reward
+    return np.where(stays, FLOOR_BONUS, change)

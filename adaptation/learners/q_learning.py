@@ -23,6 +23,8 @@ from adaptation.problem import (
 )
 
 _STATES = len(LEVELS) ** 2
+# What makes the first state, E = X = -2, number 0.
+_FIRST = -LOWEST * len(LEVELS) - LOWEST
 
 
 class QLearning(BatchLearner):
@@ -82,5 +84,8 @@ def state_of(engagement: Floats, x: Ints) -> Ints:
     >>> state_of(np.array([-2.0, 0.4, 2.0]), np.array([-2, 0, 2]))
     array([ 0, 12, 24])
     """
-    level = np.rint(within(engagement)).astype(np.int64)
-    return (level - LOWEST) * len(LEVELS) + (x - LOWEST)
+    number = within(engagement)
+    np.rint(number, out=number)
+    number *= len(LEVELS)
+    number += _FIRST
+    return number.astype(np.int64) + x
