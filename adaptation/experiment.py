@@ -29,6 +29,8 @@ from personage_lite.errors import PersonageError, shown
 PUBLISHED_NOISE = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5)
 # How many trials run side by side: as many as the processor's cache holds.
 BLOCK, LIVE_BLOCK = 4096, 512
+# With more steps than these fewer trials run side by side, so that memory suffices.
+BLOCK_STEPS, MOST_STEPS = 100, 100_000
 # Called now and then with the share of the work that is done, from 0 to 1.
 Progress = Callable[[float], None]
 
@@ -47,7 +49,7 @@ class Block(NamedTuple):
     reward: Floats
     match: NDArray[np.bool_]
     engagement: Floats
-    x: Ints
+    x: NDArray[np.int8]
 
 
 @dataclass(frozen=True)
@@ -78,21 +80,26 @@ class Experiment:
     sensor: Sensor = field(default_factory=Sensor)
 
     def __post_init__(self) -> None:
-        for name, lowest in (("trials", 1), ("steps", 1), ("seed", 0)):
+        for name, lowest, highest in (
+            ("trials", 1, None),
+            ("steps", 1, MOST_STEPS),
+            ("seed", 0, None),
+        ):
             value = getattr(self, name)
-            if isinstance(value, bool) or not isinstance(value, int) or value < lowest:
-                fault = f"{name} is {shown(str(value))}; give a whole number from {lowest} up"
+            whole = isinstance(value, int) and not isinstance(value, bool)
+            if not whole or value < lowest or (highest and value > highest):
+                bounds = f"from {lowest} to {highest}" if highest else f"from {lowest} up"
+                fault = f"{name}: {shown(str(value))}; give a whole number {bounds}"
                 raise PersonageError(fault)
         for name in ("listener_noise", "sensor_noise"):
             value = getattr(self, name)
             if not (isinstance(value, int | float) and 0 <= value <= 1):
                 plain = name.replace("_", " ")
-                raise PersonageError(f"{plain} is {shown(str(value))}; give a number from 0 to 1")
-        if any(change < 2 for change in self.changes) or sorted(set(self.changes)) != [
-            *self.changes
-        ]:
+                raise PersonageError(f"{plain}: {shown(str(value))}; give a number from 0 to 1")
+        if list(self.changes) != sorted({change for change in self.changes if change > 1}):
+            given = shown(", ".join(map(str, self.changes)))
             raise PersonageError(
-                f"changes are {shown(str(self.changes))}; give rising numbers of utterances, from 2"
+                f"changes: {given}; give numbers of utterances, from 2, in rising order"
             )
 
     def run(self, learner: Callable[[int], Learner], progress: Progress | None = None) -> Result:
@@ -107,7 +114,8 @@ class Experiment:
     ) -> Iterator[Block]:
         """Run the trials; yield what came of them, block by block."""
         draws = Draws(self.seed)
-        size = LIVE_BLOCK if is_live(self.listener) else BLOCK
+        largest = LIVE_BLOCK if is_live(self.listener) else BLOCK
+        size = max(1, min(largest, largest * BLOCK_STEPS // self.steps))
         count = math.ceil(self.trials / size)
         for number in range(count):
             trials = min(size, self.trials - number * size)
@@ -119,13 +127,14 @@ class Experiment:
             yield self._block(learner(trials), trials, draws, report)
 
     def _block(self, learner: Learner, trials: int, draws: Draws, progress: Progress) -> Block:
-        levels = draws.uniform("preference", trials, drawn_levels(self.changes, self.steps), 1)
-        preference = preferences(levels[:, 0], self.steps, self.changes)
+        preference = self.preference(trials, draws)
         chances = draws.uniform("learner", trials, self.steps, learner.draws)
         world = self.world(trials, draws)
         x: Ints = np.zeros(trials, dtype=np.int64)
         shape = (self.steps, trials)
-        block = Block(np.empty(shape), np.empty(shape, bool), np.empty(shape), np.empty(shape, int))
+        block = Block(
+            np.empty(shape), np.empty(shape, bool), np.empty(shape), np.empty(shape, np.int8)
+        )
         reveal = learner.reveal if isinstance(learner, Revealed) else None
         for step in range(self.steps):
             if reveal:
@@ -141,6 +150,12 @@ class Experiment:
             block.x[step] = x
             progress((step + 1) / self.steps)
         return block
+
+    def preference(self, trials: int, draws: Draws) -> Ints:
+        """Return what the next trials' listeners prefer, shape (steps, trials)."""
+        count = drawn_levels(self.changes, self.steps)
+        levels = draws.uniform("preference", trials, count, 1)
+        return preferences(levels[:, 0], self.steps, self.changes)
 
     def world(self, trials: int, draws: Draws) -> World:
         """Return the next trials' listeners with their noise and sensors."""

@@ -2,7 +2,8 @@
 
 The paper, section IV-B: engagement is estimated by a dynamic Bayesian network, "sent every 200 ms",
 and smoothed by "a moving average with a five seconds window". E before and after an utterance,
-and so the reward, are read off that average.
+and so the reward, are read off that average. It is a real number that errors can push beyond -2
+and 2; that it stays exactly the same, and so earns the bonus, never happens.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ import math
 import numpy as np
 
 from adaptation.listeners.base import LiveListener
-from adaptation.problem import LEVELS, SAMPLE_SECONDS, Floats, Ints, Outcome, within
+from adaptation.problem import LEVELS, SAMPLE_SECONDS, Floats, Ints, Outcome
 from adaptation.world import Coins, Noise, offset, rewarded
 from personage_lite.errors import PersonageError
 
@@ -80,7 +81,7 @@ class LiveWorld:
         errors = np.concatenate((first, sensor.errors(first[0], fresh[1:WINDOW])))
         self._errors: Floats = errors[-1]
         self._window: Floats = self._true + errors
-        self.sensed = averaged(self._window)
+        self.sensed: Floats = self._window.mean(axis=0)
 
     def hear(self, step: int, x: Ints, preference: Ints) -> Outcome:
         """Let the listeners hear an utterance; returns reward, sensed E, stream and duration."""
@@ -99,7 +100,7 @@ class LiveWorld:
         heard = np.concatenate((self._window, stream))
         # The last values until each utterance's own end: of a short one, some of before it.
         self._window = heard[samples + np.arange(WINDOW)[:, None], self._trials]
-        sensed = averaged(self._window)
+        sensed: Floats = self._window.mean(axis=0)
         reward = rewarded(sensed, self.sensed, self._floor_bonus)
         self.engagement = np.where(lasting, path, 0).sum(axis=0) / samples
         self._true = path[samples - 1, self._trials]
@@ -107,12 +108,3 @@ class LiveWorld:
         self.sensed = sensed
         stream[~lasting] = np.nan
         return Outcome(reward, x, sensed, stream.T, (samples * SAMPLE_SECONDS).astype(np.float64))
-
-
-def averaged(window: Floats) -> Floats:
-    """Return the sensed E: the mean of the values in the window, kept within -2 to 2.
-
-    >>> averaged(np.array([[0.0, 2.5], [1.0, 2.5]]))
-    array([0.5, 2. ])
-    """
-    return within(window.mean(axis=0))

@@ -29,8 +29,8 @@ SAMPLE_SECONDS = 0.2
 class Context(NamedTuple):
     """What a learner knows when it chooses: the step (from 0), X in force, the sensed E.
 
-    `x` and `engagement` have shape (trials,); X in force is that of the last utterance, 0 before
-    the first one.
+    `x` and `engagement` have shape (trials,). X in force is that of the last utterance, 0 before
+    the first one. In real time the sensed E is not whole, and can lie beyond -2 and 2.
     """
 
     step: int

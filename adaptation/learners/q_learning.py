@@ -68,7 +68,7 @@ class QLearning(BatchLearner):
         row = self._rows + state_of(context.engagement, context.x)
         place = row * len(ACTIONS) + (choice.action + 1)
         following = self._rows + state_of(outcome.engagement, outcome.x)
-        target = outcome.reward + self.gamma * self._values(following).max(axis=0)
+        target = outcome.reward + self.gamma * np.maximum.reduce(self._values(following))
         flat = self.table.reshape(-1)
         value = flat.take(place)
         flat[place] = value + self.alpha * (target - value)

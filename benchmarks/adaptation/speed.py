@@ -1,5 +1,6 @@
 """Steps a second: the vectorised experiment beside plain loops, in one run, number for number.
 
+    pip install personage-lite[adaptation]
     python benchmarks/adaptation/speed.py
 
 Both run Q-learning as published on the listener `match`. They take turns, so that a slow moment of
@@ -14,9 +15,6 @@ import json
 import statistics
 import sys
 import time
-from pathlib import Path
-
-sys.path[:0] = [str(Path(__file__).resolve().parents[2]), str(Path(__file__).resolve().parent)]
 
 from plain import numbers, run_trial
 
