@@ -26,7 +26,8 @@ class Sensor:
     `sigma` is the standard deviation of the error of one value. Errors of successive values are
     alike, as those of an estimator that smooths over time are: their correlation falls to 1/e
     within `memory` seconds (0: each error is drawn afresh). The paper gives neither. With 0.5 and
-    2 s the published learner gets what `docs/adaptation.md` tells of it.
+    2 s, the published learner keeps the mean true E at .59 and matches in .25 of the steps; with
+    independent errors, which the 5 s average all but removes, it would be .73 and .29.
     """
 
     def __init__(self, sigma: float = 0.5, memory: float = 2.0) -> None:

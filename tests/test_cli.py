@@ -347,7 +347,7 @@ def test_bad_values(arguments: list[str], message: str) -> None:
         (["check", "facts", "lexicons"], "unrecognized arguments: lexicons; see"),
         (
             ["speak"],
-            "'speak' (choose from 'generate', 'characters', 'realize', 'check'); see",
+            "'speak' (choose from 'generate', 'characters', 'realize', 'simulate', 'check'); see",
         ),
         (["--loud"], "required: COMMAND; see personage-lite --help"),
     ],
