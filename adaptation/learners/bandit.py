@@ -56,7 +56,8 @@ class CountingBandit(LevelBandit):
     Before anything was heard a level counts as heard `weight` times with the mean reward `prior`;
     so a level never tried is not infinitely attractive, for which 30 steps have no time. A
     `weight` of 0 gives the published algorithms, which try each arm once before anything else.
-    With each utterance counts and sums fade by the factor `discount` (1: they don't).
+    With each utterance counts and sums fade by the factor `discount`, if a subclass has that
+    setting.
     """
 
     memory: ClassVar[tuple[str, ...]] = ("counts", "sums")
@@ -67,13 +68,13 @@ class CountingBandit(LevelBandit):
         *,
         prior: float,
         weight: float,
-        discount: float = 1.0,
         tau: float,
         **settings: Setting,
     ) -> None:
         super().__init__(trials, prior=prior, weight=weight, tau=tau, **settings)
         self.prior = checked_number(self.name, "prior", prior, -2, 2)
         self.weight = checked_number(self.name, "weight", weight, 0)
+        discount = settings.get("discount", 1.0)
         self.discount = checked_number(self.name, "discount", discount, 0, 1)
         self.counts: Floats = np.zeros((self.trials, ARMS))
         self.sums: Floats = np.zeros((self.trials, ARMS))
