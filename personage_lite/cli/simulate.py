@@ -5,13 +5,14 @@ from __future__ import annotations
 import argparse
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 from personage_lite.cli.generate import say_whole, whole_number
 from personage_lite.errors import PersonageError, shown
 
 if TYPE_CHECKING:
+    from adaptation.comparison import Run
     from adaptation.experiment import Experiment
 
 HELP = "run the adaptation experiment: learners that look for the X that simulated listeners like"
@@ -60,50 +61,69 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> None:
     """Run the learners, print what came of it, and plot it if asked to."""
     try:
-        from adaptation import comparison
-        from adaptation.experiment import PUBLISHED_NOISE
+        from adaptation import comparison, figures
     except ModuleNotFoundError as error:
         if error.name and error.name.partition(".")[0] in ("adaptation", "personage_lite"):
             raise
         raise PersonageError(
             f"simulate needs {error.name}; pip install personage-lite[adaptation]"
         ) from None
+    if arguments.plot is not None:
+        figures.check_target(arguments.plot)
+    bar = _Bar()
+    try:
+        found, scale = _runs(arguments, bar)
+    finally:
+        bar.clear()
+    if arguments.plot is not None:
+        beside = {done.learner: done for done in (*found, *scale) if done.noise == found[0].noise}
+        figures.plot(found, [beside[name] for name in comparison.BASELINES], arguments.plot)
+    if arguments.format == "text":
+        say_whole(comparison.table(found, scale), sys.stdout)
+
+
+def _runs(arguments: argparse.Namespace, bar: _Bar) -> tuple[list[Run], list[Run]]:
+    """Run the learners and, for table and plot, what stands beside them for scale.
+
+    JSON records are printed as they come.
+    """
+    from adaptation.comparison import BASELINES, compare
+    from adaptation.experiment import PUBLISHED_NOISE
+
     experiment = _experiment(arguments)
     learners = list(dict.fromkeys(arguments.learner or ["q-learning"]))
     noises = sorted({_probability(text, "--noise") for text in arguments.noise or PUBLISHED_NOISE})
-    fixed = {
-        name: None if text is None else _probability(text, f"--{name.replace('_', '-')}")
-        for name, text in (
-            ("listener_noise", arguments.listener_noise),
-            ("sensor_noise", arguments.sensor_noise),
+    listener_noise, sensor_noise = (
+        None if text is None else _probability(text, option)
+        for text, option in (
+            (arguments.listener_noise, "--listener-noise"),
+            (arguments.sensor_noise, "--sensor-noise"),
         )
-    }
-    target = None
-    if arguments.plot is not None:
-        from adaptation import figures
+    )
 
-        target = figures.check_target(arguments.plot)
-    bar = _Bar()
+    def runs(names: list[str], levels: list[float]) -> Iterator[Run]:
+        return compare(
+            names,
+            levels,
+            experiment,
+            listener_noise=listener_noise,
+            sensor_noise=sensor_noise,
+            progress=bar.show,
+        )
+
     found = []
-    for done in comparison.compare(learners, noises, experiment, progress=bar.show, **fixed):
+    for done in runs(learners, noises):
         found.append(done)
         if arguments.format == "json":
             import json
 
             bar.clear()
             say_whole(json.dumps(done.record(), allow_nan=False), sys.stdout)
-    scale = []
-    if target or arguments.format == "text":
-        # What stands beside the learners in table and plot: what is there already is not run anew.
-        known = {(done.learner, done.noise): done for done in found}
-        others = [name for name in comparison.BASELINES if name not in learners]
-        scale = list(comparison.compare(others, noises, experiment, progress=bar.show, **fixed))
-        known.update({(done.learner, done.noise): done for done in scale})
-    bar.clear()
-    if target:
-        figures.plot(found, [known[name, noises[0]] for name in comparison.BASELINES], target)
+    others = [name for name in BASELINES if name not in learners]
     if arguments.format == "text":
-        say_whole(comparison.table(found, scale), sys.stdout)
+        return found, list(runs(others, noises))
+    # The plot needs them without noise only, or with as little as there is.
+    return found, list(runs(others, noises[:1])) if arguments.plot is not None else []
 
 
 def _experiment(arguments: argparse.Namespace) -> Experiment:
