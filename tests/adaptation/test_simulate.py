@@ -164,36 +164,38 @@ def test_ctrl_c_leaves_no_half_file(tmp_path: Path) -> None:
     assert os.listdir(tmp_path) == []
 
 
-def _on_terminal(*arguments: str, seconds: float) -> str:
-    """Return what a command shows on a terminal until it is interrupted."""
+def _on_terminal(*arguments: str) -> str:
+    """Return what a command shows on a terminal; it is interrupted once a bar is there."""
     ours, its = pty.openpty()
+    shown = b""
     with subprocess.Popen(
         [*COMMAND, *arguments], cwd=ROOT, env=ENVIRONMENT, stdout=subprocess.DEVNULL, stderr=its
     ) as process:
         os.close(its)
-        time.sleep(seconds)
-        process.send_signal(signal.SIGINT)
-        shown = b""
+        interrupted = False
         while True:
             try:
                 part = os.read(ours, 1 << 16)
-            except OSError:
+            except OSError:  # It has ended.
                 break
             if not part:
                 break
             shown += part
-        process.wait(timeout=30)
+            if b"%" in shown and not interrupted:
+                interrupted = True
+                process.send_signal(signal.SIGINT)
     os.close(ours)
+    assert process.returncode == 130
     return shown.decode()
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="needs a terminal")
 def test_a_progress_bar_on_a_terminal_if_it_takes_long() -> None:
-    long = _on_terminal("simulate", "--trials", "1000000000", "--noise", "0", seconds=5)
-    assert "[....." in long
-    assert "%" in long
-    assert "\x1b" not in long, "plain returns only"
-    assert long.rstrip().splitlines()[-1].split("\r")[-1].startswith("personage-lite: interrupted")
+    shown = _on_terminal("simulate", "--trials", "1000000000", "--noise", "0")
+    assert "[....." in shown
+    assert "\x1b" not in shown, "plain returns only"
+    last = shown.rstrip().splitlines()[-1]
+    assert last.split("\r")[-1].startswith("personage-lite: interrupted"), "the bar is gone"
 
 
 def test_no_bar_elsewhere() -> None:
