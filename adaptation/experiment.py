@@ -7,7 +7,6 @@ in blocks, so that any number of them fits into memory.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from typing import NamedTuple, Protocol, cast, runtime_checkable
@@ -116,7 +115,7 @@ class Experiment:
         draws = Draws(self.seed)
         largest = LIVE_BLOCK if is_live(self.listener) else BLOCK
         size = max(1, min(largest, largest * BLOCK_STEPS // self.steps))
-        count = math.ceil(self.trials / size)
+        count = -(-self.trials // size)
         for number in range(count):
             trials = min(size, self.trials - number * size)
 

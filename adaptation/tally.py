@@ -76,8 +76,11 @@ class Tally:
         for name, values in measures.items():
             if name not in self._sums:
                 self._sums[name] = np.zeros((2, self._steps + 1))
-            own = np.concatenate((values, values.mean(axis=0, keepdims=True)))
-            self._sums[name] += [own.sum(axis=1), (own * own).sum(axis=1)]
+            numbers = values.astype(np.float64, copy=False)
+            own = numbers.mean(axis=0)
+            sums = self._sums[name]
+            sums[:, :-1] += [numbers.sum(axis=1), np.einsum("st,st->s", numbers, numbers)]
+            sums[:, -1] += [own.sum(), (own * own).sum()]
 
     def result(self) -> Result:
         """Return the means of all trials added."""

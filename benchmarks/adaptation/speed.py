@@ -4,8 +4,8 @@
     python benchmarks/adaptation/speed.py
 
 Both run Q-learning as published on the listener `match`. They take turns, so that a slow moment of
-the machine hits both. The vectorised side's time includes drawing the random numbers and adding up
-the results; the plain side is given its numbers, and only its loops are timed.
+the machine hits both. Both sides' time includes drawing the random numbers, the vectorised side's
+also adding up the results.
 """
 
 from __future__ import annotations
@@ -71,9 +71,8 @@ def agree(experiment: Experiment, trials: int) -> None:
 
 def plain_rate(experiment: Experiment, trials: int) -> float:
     """Return the steps a second of the plain loops."""
-    given = numbers(experiment.seed, trials, experiment.steps, experiment.changes)
     start = time.perf_counter()
-    for own in given:
+    for own in numbers(experiment.seed, trials, experiment.steps, experiment.changes):
         run_trial(own, experiment.steps, experiment.changes, NOISE, experiment.floor_bonus)
     return trials * experiment.steps / (time.perf_counter() - start)
 
