@@ -14,7 +14,15 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, NoReturn
 
 from personage_lite import __version__
-from personage_lite.cli import characters, check, corpus, generate, measure, realize
+from personage_lite.cli import (
+    characters,
+    check,
+    corpus,
+    generate,
+    measure,
+    realize,
+    simulate,
+)
 from personage_lite.errors import PersonageError
 
 if TYPE_CHECKING:
@@ -24,7 +32,7 @@ if TYPE_CHECKING:
 # default took a third of the time to the first utterance (benchmarks/run.py).
 gc.set_threshold(100_000, 50, 50)
 
-COMMANDS = (generate, characters, realize, measure, corpus, check)
+COMMANDS = (generate, characters, realize, measure, corpus, simulate, check)
 
 
 class _Formatter(argparse.HelpFormatter):

@@ -77,7 +77,7 @@ def run(arguments: argparse.Namespace) -> None:
         seed = whole_number(arguments.seed, "--seed", 0)
     count = whole_number(arguments.count, "--count", 1)
     overrides = parse_overrides(arguments.set)
-    say = _say if count == 1 else _say_whole
+    say = _say if count == 1 else say_whole
     generator = Generator(facts=arguments.facts, lexicons=arguments.lexicons)
     for utterance in generator.turns(
         arguments.character,
@@ -107,7 +107,7 @@ def _say(text: str, out: TextIO) -> None:
     print(text, file=out)
 
 
-def _say_whole(text: str, out: TextIO) -> None:
+def say_whole(text: str, out: TextIO) -> None:
     """Print with Ctrl-C held back: it must not leave half a line to a reader that is slow."""
     import signal  # Here, because a single turn does without.
 
