@@ -16,6 +16,10 @@ from personage_lite.plan import SentencePlan
 from personage_lite.truth import truth_faults
 
 
+# How many turns of a talk an operator is tried on: what comes first is much alike.
+_TURNS = 4
+
+
 class _Watched:
     """An operator that notes what breaks the contract while it is used."""
 
@@ -46,7 +50,7 @@ def check_operator(
     operator: Operator,
     generator: Generator | None = None,
     characters: Iterable[str] = ("alice", "white_rabbit", "queen_of_hearts"),
-    seeds: Iterable[int] = range(20),
+    seeds: Iterable[int] = range(8),
 ) -> list[str]:
     """Return how an operator breaks the contract; an empty list if it does not.
 
@@ -66,18 +70,23 @@ def check_operator(
         for x in (-2, -1, 0, 1, 2):
             for seed in seeds:
                 place = f"{operator.name}, seed {seed}, X = {x}"
+                talk = subject.turns(
+                    name,
+                    x,
+                    seed,
+                    count=_TURNS,
+                    overrides={operator.name: 1.0},
+                    rating="strong",
+                )
                 try:
-                    said = subject.generate(
-                        name, x, seed, overrides={operator.name: 1.0}, rating="strong"
-                    )
+                    for said in talk:
+                        found = truth_faults(said, character, subject.lexicon)
+                        faults += [f"{place}: {fault}" for fault in found]
+                        again = " ".join(subject.realizer.realize(item) for item in said.sentences)
+                        if again != said.text:
+                            faults.append(f"{place}: realizing twice differs: {said.text}")
                 except Exception as error:  # whatever a user's operator raises is its fault
                     faults.append(f"{place}: {type(error).__name__}: {error}")
-                    continue
-                found = truth_faults(said, character, subject.lexicon)
-                faults += [f"{place}: {fault}" for fault in found]
-                again = " ".join(subject.realizer.realize(item) for item in said.sentences)
-                if again != said.text:
-                    faults.append(f"{place}: realizing twice differs: {said.text}")
     if not watched.applied:
         faults.append(f"{operator.name} was never applicable")
     return faults
