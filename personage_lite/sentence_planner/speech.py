@@ -26,7 +26,7 @@ from personage_lite.sentence_planner.joining import describes
 
 _TWICE = 0.15
 _BEFORE_ADJECTIVE = 0.5
-_MOST_MARKS = 2
+_MOST_MARKS = 1
 STUTTER = "stutter"
 
 
