@@ -37,9 +37,9 @@ class EpsilonGreedy(LevelBandit):
         self,
         trials: int,
         *,
-        epsilon: float = 0.02,
+        epsilon: float = 0.01,
         alpha: float = 0.3,
-        initial: float = 0.25,
+        initial: float = 0.15,
         tau: float = TAU,
     ) -> None:
         super().__init__(trials, epsilon=epsilon, alpha=alpha, initial=initial, tau=tau)

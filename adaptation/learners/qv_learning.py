@@ -38,11 +38,11 @@ class QVLearning(TableLearner):
         trials: int,
         *,
         state: str = "x",
-        epsilon: float = 0.02,
-        alpha: float = 0.5,
+        epsilon: float = 0.01,
+        alpha: float = 0.2,
         beta: float = 0.6,
-        gamma: float = 0.5,
-        initial: float = 0.5,
+        gamma: float = 0.6,
+        initial: float = 1.0,
         tau: float = TAU,
     ) -> None:
         super().__init__(

@@ -28,7 +28,7 @@ class Sarsa(TableLearner):
     So each step is learned from when the action of the one after it is known. Until then only a
     repetition of it is judged by it: the action counts in its state as much as it would if it
     were taken again. Otherwise the robot would, in the same state, do once more what has just
-    displeased, as what it chooses from is one step old (match without noise .44, not .50).
+    displeased, as what it chooses from is one step old (match without noise .42, not .48).
 
     Defaults: chosen as for `ExpectedSarsa`.
 
@@ -52,10 +52,10 @@ class Sarsa(TableLearner):
         trials: int,
         *,
         state: str = "x",
-        epsilon: float = 0.02,
-        alpha: float = 0.5,
-        gamma: float = 0.5,
-        initial: float = 0.5,
+        epsilon: float = 0.01,
+        alpha: float = 0.2,
+        gamma: float = 0.6,
+        initial: float = 1.0,
         tau: float = TAU,
     ) -> None:
         super().__init__(

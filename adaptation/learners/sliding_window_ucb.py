@@ -44,10 +44,10 @@ class SlidingWindowUCB(CountingBandit):
         self,
         trials: int,
         *,
-        window: int = 6,
-        exploration: float = 0.05,
+        window: int = 4,
+        exploration: float = 0.1,
         prior: float = 0.0,
-        weight: float = 0.1,
+        weight: float = 0.3,
         tau: float = TAU,
     ) -> None:
         super().__init__(

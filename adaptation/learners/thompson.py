@@ -34,7 +34,8 @@ class Thompson(CountingBandit):
     (by Gauss-Hermite quadrature, to about .003) and one level is drawn from them: the same, with
     one random number, and the probability of the action is known.
 
-    Defaults: chosen as for `UCB`.
+    Defaults: chosen as for `UCB`. With a walk of one level an utterance, aiming at another level
+    each time is dear: so small a `deviation` is best.
 
     >>> bandit = Thompson(trials=1, deviation=0.5, weight=1.0, prior=0.0)
     >>> bandit._chances(np.zeros(1, dtype=np.int64)).T.round(3)
@@ -47,10 +48,10 @@ class Thompson(CountingBandit):
         self,
         trials: int,
         *,
-        deviation: float = 0.05,
+        deviation: float = 0.03,
         prior: float = 0.25,
-        weight: float = 0.5,
-        discount: float = 0.6,
+        weight: float = 0.7,
+        discount: float = 0.8,
         tau: float = TAU,
     ) -> None:
         super().__init__(

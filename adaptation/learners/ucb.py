@@ -22,7 +22,7 @@ class UCB(CountingBandit):
     `exploration` of √2 and a `weight` of 0. It never forgets, so a changed taste is found late.
 
     Defaults: the highest match on the listeners `match` (noise 0, .2, .5; no floor bonus) and
-    `live`, added up, of 300 settings drawn at random, 1,000 trials each, seed 901.
+    `live`, added up, of 90 settings drawn at random, 3,000 trials each, seed 31001.
 
     >>> from adaptation.problem import Choice, Context, Outcome
     >>> bandit = UCB(trials=1)
