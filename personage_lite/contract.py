@@ -15,7 +15,6 @@ from personage_lite.operators import Operator, OperatorDraws
 from personage_lite.plan import SentencePlan
 from personage_lite.truth import truth_faults
 
-
 # How many turns of a talk an operator is tried on: what comes first is much alike.
 _TURNS = 4
 
