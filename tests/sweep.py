@@ -1,4 +1,6 @@
-"""The whole truth test: `python tests/sweep.py` says every character at every X for 5,000 seeds.
+"""The whole truth test: `python tests/sweep.py` says every character at every X in 5,000 turns.
+
+They are talks of 20 turns, so that stories, settings and what is taken up again are heard too.
 
 It fails with the first faults found, and prints how many utterances were read.
 """
@@ -15,28 +17,32 @@ from personage_lite.truth import truth_faults
 XS = (-2, -1, 0, 1, 2)
 
 
-def sweep(character: str, x: int, seeds: int) -> tuple[int, list[str]]:
+TURNS = 20
+
+
+def sweep(character: str, x: int, talks: int) -> tuple[int, list[str]]:
     """Generate and check; returns how many utterances were read and the faults in them."""
     generator = Generator()
     about = generator.character(character)
     faults = []
-    for seed in range(seeds):
-        said = generator.generate(character, x, seed)
-        found = truth_faults(said, about, generator.lexicon)
-        if found:
-            faults.append(f"{character}, X = {x}, seed {seed}: {said.text}\n  {found}")
-    return seeds, faults
+    for seed in range(talks):
+        for said in generator.turns(character, x, seed, count=TURNS):
+            found = truth_faults(said, about, generator.lexicon)
+            if found:
+                place = f"{character}, X = {x}, seed {seed}, turn {said.turn + 1}"
+                faults.append(f"{place}: {said.text}\n  {found}")
+    return talks * TURNS, faults
 
 
 def main() -> int:
     """Run all jobs on all cores, with progress on stderr."""
     options = argparse.ArgumentParser(description=__doc__)
-    options.add_argument("--seeds", type=int, default=5000)
-    seeds = options.parse_args().seeds
+    options.add_argument("--talks", type=int, default=250, help="talks for each character and X")
+    talks = options.parse_args().talks
     characters = [character.entity.id for character in Generator().characters()]
     total, faults = 0, []
     with ProcessPoolExecutor() as pool:
-        jobs = [pool.submit(sweep, name, x, seeds) for name in characters for x in XS]
+        jobs = [pool.submit(sweep, name, x, talks) for name in characters for x in XS]
         for done, job in enumerate(as_completed(jobs), 1):
             count, found = job.result()
             total += count

@@ -16,7 +16,7 @@ SEEDS = range(80)
 @pytest.mark.parametrize("x", [-2, -1, 0, 1, 2])
 @pytest.mark.parametrize("character", CHARACTERS)
 def test_every_utterance_is_true(character: str, x: int) -> None:
-    """A sample of what `python tests/sweep.py` runs over 5,000 seeds: three turns a seed."""
+    """A sample of what `python tests/sweep.py` runs over 5,000 turns: three turns a seed."""
     generator = Generator()
     about = generator.character(character)
     for seed in SEEDS:

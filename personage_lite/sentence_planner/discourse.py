@@ -30,9 +30,9 @@ def with_openings(
     """
     placed = [sentences[0]]
     for earlier, sentence in pairwise(sentences):
-        subject = entity_of(earlier.clauses[-1].clause.subject)
-        if subject:
-            sentence = sentence._replace(subject_before=subject)
+        subjects = {entity_of(clause.clause.subject) for clause in earlier.clauses}
+        if len(subjects) == 1:
+            sentence = sentence._replace(subject_before=subjects.pop())
         placed.append(sentence)
     decisions: list[Decision] = []
     topic, unset, shifted = _topic_before(character, turn), "", False
