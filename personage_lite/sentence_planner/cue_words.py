@@ -19,6 +19,9 @@ from personage_lite.sentence_planner.joining import (
     plain,
 )
 
+# Relations that one sentence marks only once.
+_ONCE = (*OPPOSING_KINDS, "sequence")
+
 
 def _cued(pair: Pair, markers: tuple[Marker, ...], rng: OperatorDraws) -> Joint | None:
     """Join with a cue word that suits the relation, the clauses and the speaker."""
@@ -44,8 +47,7 @@ def _joined(pair: Pair, cue: Marker, rng: OperatorDraws) -> Joint | None:
         return None  # the reason, or what it explains, would be taken for all that came before
     if pair.last.link == "relative":
         return None  # what comes would be set against the main clause
-    once = pair.link.kind in (*OPPOSING_KINDS, "sequence")
-    if once and any(clause.cue for clause in pair.left.clauses):
+    if pair.link.kind in _ONCE and any(clause.cue for clause in pair.left.clauses):
         return None  # not "…, but …, yet …", nor "… and then …, and after that …"
     if len(pair.last.facts) > 1 and pair.link.kind in ("justification", "concession"):
         return None  # only one of two merged qualities is the reason, or is conceded
