@@ -29,7 +29,6 @@ NAMES = [
     "thompson",
     "pgrl",
     "ktd",
-    "bayes",
     "always-zero",
     "random",
     "oracle",
