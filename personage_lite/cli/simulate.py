@@ -16,7 +16,9 @@ if TYPE_CHECKING:
     from adaptation.experiment import Experiment
 
 HELP = "run the adaptation experiment: learners that look for the X that simulated listeners like"
-EXAMPLE = "personage-lite simulate --learner discounted-ucb --noise 0.2 --trials 1000 --plot figure.png"
+EXAMPLE = (
+    "personage-lite simulate --learner discounted-ucb --noise 0.2 --trials 1000 --plot figure.png"
+)
 # How long a run takes before it shows how far it has come.
 PATIENCE_SECONDS = 2.0
 BAR = 40
