@@ -163,6 +163,10 @@ def test_another_seed_does_not_go_on(whole: bytes, tmp_path: Path) -> None:
         write_corpus(tmp_path / "corpus.jsonl", COUNT, seed=1)
 
 
+def _listen_to_signals() -> None:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="no signals")
 @pytest.mark.parametrize("workers", ["1", "2"])
 def test_ctrl_c_leaves_whole_lines_and_the_same_command_goes_on(
@@ -178,6 +182,8 @@ def test_ctrl_c_leaves_whole_lines_and_the_same_command_goes_on(
         stderr=subprocess.PIPE,
         encoding="utf-8",
         start_new_session=True,
+        # A shell lets what it starts in the background not hear Ctrl-C.
+        preexec_fn=_listen_to_signals,  # noqa: PLW1509 - there are no threads
     )
     while process.poll() is None and not (partial.exists() and partial.stat().st_size):
         time.sleep(0.01)

@@ -144,6 +144,11 @@ def test_other_commands_do_not_load_numpy() -> None:
     )
 
 
+def _listen_to_ctrl_c() -> None:
+    """Undo what a shell does to commands in the background: they do not hear Ctrl-C."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
 def test_ctrl_c_leaves_no_half_file(tmp_path: Path) -> None:
     target = tmp_path / "figure.png"
     command = [*COMMAND, "simulate", "--trials", "1000000000", "--plot", str(target)]
@@ -154,6 +159,7 @@ def test_ctrl_c_leaves_no_half_file(tmp_path: Path) -> None:
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
+        preexec_fn=_listen_to_ctrl_c,  # noqa: PLW1509 - there are no threads
     ) as process:
         time.sleep(3)
         process.send_signal(signal.SIGINT)
@@ -169,7 +175,12 @@ def _on_terminal(*arguments: str) -> str:
     ours, its = pty.openpty()
     shown = b""
     with subprocess.Popen(
-        [*COMMAND, *arguments], cwd=ROOT, env=ENVIRONMENT, stdout=subprocess.DEVNULL, stderr=its
+        [*COMMAND, *arguments],
+        cwd=ROOT,
+        env=ENVIRONMENT,
+        stdout=subprocess.DEVNULL,
+        stderr=its,
+        preexec_fn=_listen_to_ctrl_c,  # noqa: PLW1509 - there are no threads
     ) as process:
         os.close(its)
         interrupted = False
