@@ -19,6 +19,8 @@ from personage_lite.realizer.specification import AdjectivePhrase
 STAGE = "content_planning"
 # The most facts that verbosity adds to the first one.
 _MOST_MORE = 6.0
+# The most facts added to these to finish a thought.
+_TO_FINISH = 2
 # How many facts back somebody still has in mind what was told.
 _LATELY = 8
 # So many facts can stand without another topic after them.
@@ -63,7 +65,9 @@ class _Planner:
             last = self.character.by_id.get(state.last_fact)
         choice = FactChoice(self.character, self.turn)
         facts: list[Fact] = []
-        while len(facts) < count:
+        # Who says much finishes the thought rather than leave one fact to stand alone afterwards.
+        most = count + _TO_FINISH if count > 1 else count
+        while len(facts) < count or (len(facts) < most and choice.unfinished(facts[-1])):
             fact = choice.take(last, len(facts))
             if fact is None:
                 break

@@ -8,7 +8,7 @@ from __future__ import annotations
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator
 
-from personage_lite.facts import OPPOSING_KINDS, Character, Fact
+from personage_lite.facts import OPPOSING_KINDS, TELLING_KINDS, Character, Fact
 from personage_lite.operators import Turn
 from personage_lite.randomness import pick
 
@@ -96,6 +96,17 @@ class FactChoice:
         # What waited for this fact alone can now be told.
         self._unlock(character.unlocks.get(fact.id, ()))
         return fact
+
+    def unfinished(self, last: Fact) -> bool:
+        """Whether one fact of the topic is left, or one that the last explains or opposes."""
+        left = self._left(last.topic)
+        if len(left) == 1:
+            return True
+        own, places = self._weights, self._character.places
+        return any(
+            kind in TELLING_KINDS and own[places[satellite if nucleus == last.id else nucleus]]
+            for kind, nucleus, satellite, _ in self._character.related.get(last.id, ())
+        )
 
     def _near(self, last: Fact | None) -> tuple[list[int], float]:
         """Return the facts of the topic that comes next, and how strongly they are preferred.

@@ -36,7 +36,8 @@ STAGES: tuple[str, ...] = (
 # What generation cannot do without. An operator without a parameter is only never applied.
 NEEDED: tuple[str, ...] = (
     *("verbosity", "content_polarity", "polarization", "concessions", "repetition_polarity"),
-    *("template_polarity", "period", "conjunction", "merge", "relative_clause", "with_cue_word"),
+    *("template_polarity", "period", "conjunction", "merge", "relative_clause"),
+    *("object_relative_clause", "with_cue_word"),
     *("also_cue_word", "contrast_cue_word", "justify_cue_word", "concede_cue_word"),
     *("sequence_cue_word", "merge_with_comma", "lexicon_frequency", "lexicon_word_length"),
     *("verb_strength", "positive_emotion_words", "contractions", "pronominalization"),

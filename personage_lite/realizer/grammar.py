@@ -79,6 +79,7 @@ class Grammar(NamedTuple):
     contractions: dict[str, str]
     contracting: frozenset[str]
     contracted_after: frozenset[str]
+    contracted_in_text: frozenset[str]
     negative_contractions: dict[str, str]
     question_negatives: dict[str, str]
     tag_negatives: dict[str, str]

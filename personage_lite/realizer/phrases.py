@@ -31,14 +31,31 @@ if TYPE_CHECKING:
 
 def text(syntax: Syntax, out: list[str], phrase: Text, case: Case = "objective") -> None:
     """Add fixed words and the phrases between them."""
+    after_subject = False
     for part in phrase.parts:
         if isinstance(part, Cased):
             syntax.phrase(out, part.phrase, part.case)
+            said = part.phrase
+            after_subject = part.case == "subjective" and isinstance(said, NounPhrase)
+            after_subject = after_subject and phrase.contracted and said.pronoun
+        elif after_subject and isinstance(part, str):
+            _contracted(syntax, out, part)
+            after_subject = False
         else:
             syntax.phrase(out, part)
     last = phrase.parts[-1] if phrase.parts else ""
     if case in ("possessive", "independent") and not isinstance(last, Cased):
         possess(out, plural=False)
+
+
+def _contracted(syntax: Syntax, out: list[str], words: str) -> None:
+    """Add words after a subject pronoun, the first of them shortened if it can be: "she" "'s"."""
+    first, _, rest = words.partition(" ")
+    grammar = syntax.grammar
+    if rest and first in grammar.contracted_in_text:
+        out[-1] += grammar.contractions[first]
+        words = rest
+    syntax.phrase(out, words)
 
 
 def possess(out: list[str], plural: bool) -> None:

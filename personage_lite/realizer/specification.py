@@ -117,9 +117,13 @@ class Cased(NamedTuple):
 
 @checked()
 class Text(NamedTuple):
-    """Fixed words with phrases between them: "a present for", [her], "birthday"."""
+    """Fixed words with phrases between them: "a present for", [her], "birthday".
+
+    `contracted` shortens what follows a pronoun that is a subject among them: "that she's late".
+    """
 
     parts: "tuple[Cased | Phrase, ...]"
+    contracted: bool = False
 
 
 @checked()

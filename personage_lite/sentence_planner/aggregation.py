@@ -62,6 +62,8 @@ def conjunction(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | 
         return None
     if opposed(pair.last, pair.right) or pair.last.topic != pair.right.topic:
         return None
+    if _introduced(pair):
+        return None  # not "he has a friend, the Gryphon, and the Gryphon …"
     if pair.link.kind == "infer" and kind_of(pair.last) != kind_of(pair.right):
         return None  # not "she's watchful and makes some tarts"
     cue = rng.marker(lexicon.markers["conjunction"])
@@ -128,11 +130,8 @@ def relative_clause(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Join
     left, last, right = pair.left, pair.last, pair.right
     if len(left.clauses) > 1:
         return None
-    subject = entity_of(right.clause.subject)
-    if not subject:
+    if not entity_of(right.clause.subject):
         return None
-    if _last_mention(last.clause) == subject and not same_subject(last, right):
-        return extend(left, right._replace(link="object_relative"))
     if not same_subject(last, right) or pair.link.fixed_order or opposed(last, right):
         return None
     if last.topic != right.topic or last.story or right.story:
@@ -145,6 +144,21 @@ def relative_clause(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Join
         return None
     joined = (main._replace(link="main"), inner._replace(link="relative"))
     return (left._replace(clauses=joined),)
+
+
+def object_relative_clause(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | None:
+    """Say more of whom the sentence named last: "She has a cat called Dinah, who …"."""
+    if len(pair.left.clauses) > 1 or not _introduced(pair):
+        return None
+    return extend(pair.left, pair.right._replace(link="object_relative"))
+
+
+def _introduced(pair: Pair) -> bool:
+    """Whether the right clause is about somebody else, whom the left one names at its end."""
+    subject = entity_of(pair.right.clause.subject)
+    if not subject or same_subject(pair.last, pair.right):
+        return False
+    return _last_mention(pair.last.clause) == subject
 
 
 def _last_mention(clause: Clause) -> str:
@@ -269,6 +283,7 @@ COMPETING: dict[str, tuple[Joiner, ...]] = {
         Joiner("conjunction", conjunction),
         Joiner("merge", merge, 1.5, embedding=True),
         Joiner("relative_clause", relative_clause, embedding=True),
+        Joiner("object_relative_clause", object_relative_clause, embedding=True),
         Joiner("with_cue_word", with_cue_word, embedding=True),
         Joiner("also_cue_word", also_cue_word),
     ),
@@ -276,6 +291,7 @@ COMPETING: dict[str, tuple[Joiner, ...]] = {
         Joiner("period", period, 0.6),
         Joiner("conjunction", conjunction, 0.6),
         Joiner("relative_clause", relative_clause, 3.0, embedding=True),
+        Joiner("object_relative_clause", object_relative_clause, embedding=True),
         Joiner("with_cue_word", with_cue_word, embedding=True),
     ),
     "contrast": (

@@ -75,9 +75,8 @@ def coordinate(pair: Pair, cue: Marker, rng: OperatorDraws, most: int) -> Joint 
     left, right, last = pair.left, pair.right, pair.last
     if len(left.clauses) >= most or last.clause.quotation:
         return None
-    framed = last.frame is not None and not last.frame.inner_tag
-    if framed and pair.link.kind not in ("infer", "elaboration"):
-        return None  # "I love that she is polite, so …" would draw a conclusion from the love
+    if last.frame is not None and not last.frame.inner_tag:
+        return None  # the love of "I love how …" would go on, or a "so …" follow from it
     if right.frame is not None:
         return None  # "…, and I love how …" begins anew
     shared = (

@@ -39,6 +39,7 @@ class ReferringExpressions:
         self._pronouns: set[str] = set()
         self._subject = state.focus_subject
         self._clause_subject = ""
+        self._contracted = False
         # The part ("the Moon's rings") that the last clause of this sentence was about.
         self._part: NounPhrase | None = None
         self._turn_before = True
@@ -266,6 +267,7 @@ class ReferringExpressions:
         if isinstance(subject, NounPhrase):
             owner = subject.entity or entity_of(subject.possessor)
         self._clause_subject = owner
+        self._contracted = clause.contracted
         indirect, direct, complement = clause.indirect_object, clause.object, clause.complement
         if isinstance(indirect, Text):
             indirect = self._text(indirect, argument=True)
@@ -306,4 +308,4 @@ class ReferringExpressions:
                 changed = True
             else:
                 parts.append(part)
-        return Text(tuple(parts)) if changed else text
+        return Text(tuple(parts), self._contracted) if changed else text

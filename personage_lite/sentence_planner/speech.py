@@ -23,13 +23,13 @@ from personage_lite.sentence_planner.hedges import (
     with_degree,
     with_opener,
 )
-from personage_lite.sentence_planner.joining import describes
+from personage_lite.sentence_planner.joining import describes, kind_of
 
 _TWICE = 0.04
 _BEFORE_ADJECTIVE = 0.5
 _MOST_MARKS = 1
 # Of the sentences that leave everybody cold, the share that can be exclaimed all the same.
-_PLAINLY_EXCLAIMED = 0.65
+_PLAINLY_EXCLAIMED = 0.8
 # Of the sentences that could end with "mate", the share that does; "Listen to this, mate!" can.
 _NUDGED = 0.15
 STUTTER = "stutter"
@@ -180,8 +180,8 @@ def tag_question(
     if doubtful(plan):
         return None
     agreeing = host.frame is None or host.frame.form == "clause"
-    # The listener can be asked what something is like, but not what happens, nor a plain fact.
-    if last.story or not all(map(describes, plan.clauses)) or last.polarity == "neutral":
+    # The listener can be asked what somebody is like, but not what happens, nor a plain fact.
+    if kind_of(last) != "quality" or last.story or last.polarity == "neutral":
         return None
     able = [m for m in lexicon.markers["tag_question"] if m.text != "auto" or agreeing]
     marker = rng.marker(able)
@@ -198,7 +198,9 @@ def exclamation(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> 
         return None
     if doubtful(plan):
         return None
-    felt = any(clause.feeling for clause in plan.clauses)
+    felt = {clause.feeling for clause in plan.clauses} - {""}
+    if "sad" in felt:
+        return None  # who is moved says it softly
     if not felt and rng.uniform("plain") >= _PLAINLY_EXCLAIMED:
         return None
     return SentencePlan(*plan[:10], "!", *plan[11:])
@@ -215,6 +217,8 @@ def in_group_marker(
         # One nudges a friend where there is something to it, and not often.
         if more or last.clause.quotation or not last.feeling or rng.uniform("fact") >= _NUDGED:
             return None
+    elif plan.fragment is not None and any(map(_is_mention, plan.fragment.parts)):
+        return None  # "I love the Hatter, mate!" would make a mate of him
     marker = rng.marker(lexicon.markers["in_group_marker"])
     if marker is None:
         return None
