@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from itertools import pairwise
 from pathlib import Path
 from statistics import fmean
 from typing import NamedTuple, TypeAlias
@@ -207,18 +208,19 @@ def good_first(said: Utterance) -> list[float]:
     return [float(told[0] == "good")] if len(set(told)) > 1 else []
 
 
-def related_by(said: Utterance, kind: str) -> bool:
-    """Whether an utterance of two facts sets the one against the other by one relation alone."""
+def related_by(said: Utterance, kind: str) -> list[tuple[Fact, Fact]]:
+    """Return the neighbours in an utterance that one relation alone sets side by side."""
     about = GENERATOR.character(said.character)
-    if len(said.facts) != 2:
-        return False
-    one, other = said.facts
-    kinds = {
-        relation.kind
-        for relation in about.related.get(one, ())
-        if other in (relation.nucleus, relation.satellite)
-    }
-    return kinds == {kind}
+    found = []
+    for one, other in pairwise(facts(said)):
+        kinds = {
+            relation.kind
+            for relation in about.related.get(one.id, ())
+            if other.id in (relation.nucleus, relation.satellite)
+        }
+        if kinds == {kind}:
+            found.append((one, other))
+    return found
 
 
 def good_nucleus(said: Utterance) -> list[float]:
@@ -226,13 +228,14 @@ def good_nucleus(said: Utterance) -> list[float]:
 
     "Although A, B" and "A, but B" stress B, "A although B" stresses A.
     """
-    told = facts(said)
-    if not related_by(said, "concession") or len(said.sentences) != 1:
+    pairs = related_by(said, "concession")
+    if len(pairs) != 1 or {fact.polarity for fact in pairs[0]} != {"good", "bad"}:
         return []
-    if {fact.polarity for fact in told} != {"good", "bad"}:
-        return []
+    if {fact.clause.verb for fact in pairs[0]} != {"be"}:
+        return []  # deeds keep their order in time
+    told = pairs[0]
     concessive = texts("concede_cue_word")
-    if not cues(said) or cues(said)[0] not in concessive:
+    if sum(cue in concessive for cue in cues(said)) != 1:
         return []
     last = not any(below.fronted is False for c in clauses(said) for below in c.subordinates)
     return [float(told[1 if last else 0].polarity == "good")]
@@ -471,7 +474,8 @@ PROBES: dict[str, Probe] = {
         0.06,
         never=False,
         setting=PLAIN
-        | {"verbosity": PAIR, "concessions": 1.0, "concede_cue_word": 1.0, "period": 0.0},
+        | {"verbosity": PAIR, "concessions": 1.0, "concede_cue_word": 1.0, "period": 0.0}
+        | {"contrast_cue_word": 0.0, "justify_cue_word": 0.0},
         seeds=2400,
     ),
     "polarization": Probe(extremes, 0.04, never=False, setting=SOME, seeds=400),
@@ -501,7 +505,10 @@ PROBES: dict[str, Probe] = {
     "period": Probe(
         lambda said: [len(said.sentences) / len(said.facts)], 0.03, never=False, setting=SOME
     ),
-    "relative_clause": Probe(relatives, 0.03, setting=SOME),
+    "relative_clause": Probe(relatives, 0.03, setting=SOME | {"object_relative_clause": 0.0}),
+    "object_relative_clause": Probe(
+        relatives, 0.03, setting=ALONE | {"relative_clause": 0.0, "period": 0.1}
+    ),
     "with_cue_word": Probe(
         lambda said: [float(sum(len(clause.asides) for clause in clauses(said)))],
         0.001,
@@ -526,7 +533,7 @@ PROBES: dict[str, Probe] = {
     # Pragmatic markers
     "subject_implicitness": Probe(implicit_subjects, 0.1, setting={"verbosity": 0.8}),
     "stuttering": Probe(stutters, 0.7),
-    "pronominalization": Probe(pronoun_subjects, 0.4, never=False, setting=SOME),
+    "pronominalization": Probe(pronoun_subjects, 0.4, never=False, setting={"verbosity": 0.3}),
     "negation": Probe(negated_antonyms, 0.02, seeds=300),
     "softener_hedges": Probe(
         softened("softener_hedges"),
@@ -586,7 +593,9 @@ PROBES: dict[str, Probe] = {
         turn=6,
     ),
     "topic_shift": Probe(count(openers, "topic_shift"), 0.1, setting=SOME, turn=3),
-    "recall": Probe(lambda said: [float(len(said.recalled))], 0.1, setting=SOME, turn=8),
+    "recall": Probe(
+        lambda said: [float(len(said.recalled))], 0.1, setting={"verbosity": 0.3}, turn=12
+    ),
     "anticipation": Probe(fragments("anticipation"), 0.1, setting=SOME, turn=3),
     "reaction": Probe(fragments("reaction"), 0.1, setting=SOME, turn=3),
 }

@@ -80,6 +80,7 @@ class Grammar(NamedTuple):
     contracting: frozenset[str]
     contracted_after: frozenset[str]
     contracted_in_text: frozenset[str]
+    full_after: frozenset[str]
     negative_contractions: dict[str, str]
     question_negatives: dict[str, str]
     tag_negatives: dict[str, str]

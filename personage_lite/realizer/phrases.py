@@ -31,16 +31,11 @@ if TYPE_CHECKING:
 
 def text(syntax: Syntax, out: list[str], phrase: Text, case: Case = "objective") -> None:
     """Add fixed words and the phrases between them."""
-    after_subject = False
-    for part in phrase.parts:
+    for index, part in enumerate(phrase.parts):
         if isinstance(part, Cased):
             syntax.phrase(out, part.phrase, part.case)
-            said = part.phrase
-            after_subject = part.case == "subjective" and isinstance(said, NounPhrase)
-            after_subject = after_subject and phrase.contracted and said.pronoun
-        elif after_subject and isinstance(part, str):
-            _contracted(syntax, out, part)
-            after_subject = False
+        elif phrase.contracted and isinstance(part, str) and index:
+            _after_mention(syntax, out, phrase.parts[index - 1], part)
         else:
             syntax.phrase(out, part)
     last = phrase.parts[-1] if phrase.parts else ""
@@ -48,11 +43,16 @@ def text(syntax: Syntax, out: list[str], phrase: Text, case: Case = "objective")
         possess(out, plural=False)
 
 
-def _contracted(syntax: Syntax, out: list[str], words: str) -> None:
-    """Add words after a subject pronoun, the first of them shortened if it can be: "she" "'s"."""
-    first, _, rest = words.partition(" ")
+def _after_mention(syntax: Syntax, out: list[str], before: Cased | Phrase, words: str) -> None:
+    """Add words after a mention; after a subject pronoun the first is shortened: "she", "'s late".
+
+    Not where something has moved to the front: "who she is now".
+    """
     grammar = syntax.grammar
-    if rest and first in grammar.contracted_in_text:
+    first, _, rest = words.partition(" ")
+    pronoun = isinstance(before, Cased) and before.case == "subjective" and before.phrase.pronoun
+    moved = len(out) > 1 and out[-2].rpartition(" ")[2] in grammar.full_after
+    if pronoun and rest and not moved and first in grammar.contracted_in_text:
         out[-1] += grammar.contractions[first]
         words = rest
     syntax.phrase(out, words)

@@ -300,7 +300,7 @@ COMPETING: dict[str, tuple[Joiner, ...]] = {
     ),
     "justification": (
         Joiner("justify_cue_word", justify_cue_word),
-        Joiner("period", period, 0.3),
+        Joiner("period", period, 0.06),
     ),
     "concession": (Joiner("concede_cue_word", concede_cue_word), Joiner("period", period, 0.02)),
     "sequence": (

@@ -101,7 +101,13 @@ def _anticipated(
     said = None
     if draw < probability:
         status = "not_applicable"
-        able = [m for m in turn.lexicon.markers["anticipation"] if new or suits(m, first)]
+        # A story that begins may be promised before it is felt; not "the funny part", though.
+        unfelt = new and not first.feeling
+        able = [
+            marker
+            for marker in turn.lexicon.markers["anticipation"]
+            if suits(marker, first) or (unfelt and len(marker.feelings) > 1)
+        ]
         marker = turn.rng("anticipation").marker(able)
         plain = first.role == "assertion" and first.frame is None  # not "the best bit! I love …"
         if marker is not None and plain and not sentence.openers:

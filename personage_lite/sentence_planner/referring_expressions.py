@@ -15,7 +15,7 @@ from personage_lite.realizer.specification import Cased, Clause, NounPhrase, Phr
 STAGE = "referring_expressions"
 # Across turns a pronoun is rarer than within one.
 _ACROSS_TURNS = 0.6
-_DESCRIPTION = 0.04
+_DESCRIPTION = 0.02
 _SHORT_AGAIN = 0.85
 
 

@@ -23,7 +23,7 @@ from personage_lite.sentence_planner.hedges import (
     with_degree,
     with_opener,
 )
-from personage_lite.sentence_planner.joining import describes, kind_of
+from personage_lite.sentence_planner.joining import describes
 
 _TWICE = 0.04
 _BEFORE_ADJECTIVE = 0.5
@@ -181,9 +181,13 @@ def tag_question(
         return None
     agreeing = host.frame is None or host.frame.form == "clause"
     # The listener can be asked what somebody is like, but not what happens, nor a plain fact.
-    if kind_of(last) != "quality" or last.story or last.polarity == "neutral":
+    if not describes(last) or last.story or last.polarity == "neutral":
         return None
-    able = [m for m in lexicon.markers["tag_question"] if m.text != "auto" or agreeing]
+    able = [
+        marker
+        for marker in lexicon.markers["tag_question"]
+        if suits(marker, last) and (agreeing or marker.text != "auto")
+    ]
     marker = rng.marker(able)
     if marker is None:
         return None
