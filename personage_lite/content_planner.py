@@ -20,7 +20,7 @@ STAGE = "content_planning"
 # The most facts that verbosity adds to the first one.
 _MOST_MORE = 6.0
 # The most facts added to these to finish a thought, and the verbosity of who finishes none.
-_TO_FINISH = 2
+_TO_FINISH = 3
 _TERSE = 0.09
 # How many facts back somebody still has in mind what was told.
 _LATELY = 8

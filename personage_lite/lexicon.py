@@ -15,7 +15,7 @@ from personage_lite.realizer.grammar import Grammar, load_grammar
 from personage_lite.style import Style, read_style
 from personage_lite.yaml_reader import Node, read_yaml
 
-ATTACHMENTS: tuple[str, ...] = ("coordinate", "subordinate", "fronted", "connective")
+ATTACHMENTS: tuple[str, ...] = ("coordinate", "subordinate", "fronted", "connective", "beginning")
 KINDS_OF_CLAUSE: tuple[str, ...] = ("qualities", "states", "deeds", "habits")
 RATINGS: tuple[str, ...] = ("clean", "mild", "strong")
 Rating: TypeAlias = Literal["clean", "mild", "strong"]

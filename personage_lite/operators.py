@@ -75,7 +75,7 @@ class OperatorDraws:
         able = [m for m in markers if m.text not in used and m.lean * x >= _LEAST_LEAN]
         if used:
             # Nor does one begin twice with the same word: "Oh, …! Oh, and …".
-            begun = {text.partition(" ")[0] for text in used if text}
+            begun = {text.partition(" ")[0].rstrip(",") for text in used if text}
             able = [m for m in able if not (m.after and m.text.partition(" ")[0] in begun)]
         if len(able) < 2:
             return able[0] if able else None

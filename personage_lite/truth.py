@@ -33,6 +33,8 @@ _CUES = {
     "concede_cue_word": "concession",
     "sequence_cue_word": "sequence",
 }
+# How cue words join what comes next, not what is subordinate.
+_NEXT = ("coordinate", "connective", "beginning")
 # What a clause's own time and mood must share with its fact's.
 _SAME = ("tense", "modal", "perfect", "progressive", "passive", "quotation")
 
@@ -99,8 +101,9 @@ class _Checker:
                 if groups:
                     self._relation(cue, groups[-1][1], facts, coordinate=True)
                 groups.append((cue, facts))
-            if sentence.connective:
-                self._relation(sentence.connective, before, groups[0][1], coordinate=True)
+            begun = [opener.text for opener in sentence.openers]
+            for cue in filter(None, (sentence.connective, *begun)):
+                self._relation(cue, before, groups[0][1], coordinate=True)
             before = groups[-1][1]
             stated.update(*(facts for _, facts in groups))
         return stated
@@ -253,7 +256,7 @@ class _Checker:
             (kind, marker.role)
             for name, kind in _CUES.items()
             for marker in self._lexicon.markers[name]
-            if marker.text == cue and (marker.attach in ("coordinate", "connective")) == coordinate
+            if marker.text == cue and (marker.attach in _NEXT) == coordinate
         ]
         if claims and not any(self._holds(kind, role, before, facts) for kind, role in claims):
             self.faults.append(f"'{cue}' without its relation: {before} / {facts}")

@@ -9,6 +9,7 @@ from personage_lite.facts import OPPOSING_KINDS
 from personage_lite.lexicon import Lexicon, Marker
 from personage_lite.operators import OperatorDraws
 from personage_lite.plan import SentencePlan
+from personage_lite.sentence_planner.hedges import with_opener
 from personage_lite.sentence_planner.joining import (
     MOST_CUED,
     Joint,
@@ -47,13 +48,17 @@ def _joined(pair: Pair, cue: Marker, rng: OperatorDraws) -> Joint | None:
         return None  # the reason, or what it explains, would be taken for all that came before
     if pair.last.link == "relative":
         return None  # what comes would be set against the main clause
-    if pair.link.kind in _ONCE and any(clause.cue for clause in pair.left.clauses):
+    begins = cue.attach == "beginning"
+    if pair.link.kind in _ONCE and not begins and any(clause.cue for clause in pair.left.clauses):
         return None  # not "…, but …, yet …", nor "… and then …, and after that …"
     if len(pair.last.facts) > 1 and pair.link.kind in ("justification", "concession"):
         return None  # only one of two merged qualities is the reason, or is conceded
     deeds = not (describes(pair.last) and describes(pair.right))
     if cue.only == "states" and deeds:
         return None
+    if begins:
+        said_so = introduced is pair.right and pair.right.frame is None
+        return (pair.left, with_opener(SentencePlan((pair.right,)), cue)) if said_so else None
     if cue.attach in ("coordinate", "connective"):
         turned = pair if introduced is pair.right else _turned(pair)
         if turned is None:

@@ -57,8 +57,7 @@ def with_openings(
     first = placed[0].clauses[0]
     announced, noted = (None, None)
     if plain and turn.state.topic == character.entity.id:
-        new = first.story and first.topic != topic_before
-        announced, noted = _anticipated(placed[0], turn, new)
+        announced, noted = _anticipated(placed, turn)
     decisions += [noted] if noted is not None else []
     if announced is not None:
         placed.insert(0, announced)
@@ -89,11 +88,11 @@ def _told_before(sentence: SentencePlan, character: Character, turn: Turn) -> bo
 
 
 def _anticipated(
-    sentence: SentencePlan, turn: Turn, new: bool
+    sentences: list[SentencePlan], turn: Turn
 ) -> tuple[SentencePlan | None, Made | None]:
     """Announce, if drawn, what the speaker looks forward to telling: "Wait till you hear this!"."""
     probability = turn.probability("anticipation")
-    first = sentence.clauses[0]
+    first = sentences[0].clauses[0]
     if probability <= 0.0:
         return None, None
     draw = turn.draws.uniform("anticipation")
@@ -101,16 +100,16 @@ def _anticipated(
     said = None
     if draw < probability:
         status = "not_applicable"
-        # A story that begins may be promised before it is felt; not "the funny part", though.
-        unfelt = new and not first.feeling
+        told = [clause for sentence in sentences for clause in sentence.clauses]
+        # What is promised must come: not "this is the funny part" before what nobody laughs at.
         able = [
             marker
             for marker in turn.lexicon.markers["anticipation"]
-            if suits(marker, first) or (unfelt and len(marker.feelings) > 1)
+            if any(suits(marker, clause) for clause in told)
         ]
         marker = turn.rng("anticipation").marker(able)
         plain = first.role == "assertion" and first.frame is None  # not "the best bit! I love …"
-        if marker is not None and plain and not sentence.openers:
+        if marker is not None and plain and not sentences[0].openers:
             said = _fragment(marker)
             status = "applied"
     return said, ("anticipation", STAGE, probability, draw, status, "", "", "")

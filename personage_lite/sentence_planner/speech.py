@@ -25,7 +25,7 @@ from personage_lite.sentence_planner.hedges import (
 )
 from personage_lite.sentence_planner.joining import describes
 
-_TWICE = 0.04
+_TWICE = 0.01
 _BEFORE_ADJECTIVE = 0.5
 _MOST_MARKS = 1
 # Of the sentences that leave everybody cold, the share that can be exclaimed all the same.
@@ -78,7 +78,7 @@ def filled_pauses(
     plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon
 ) -> SentencePlan | None:
     """Hesitate: "Alice is, um, curious"; chatty speakers say "like" and "you know"."""
-    if plan.false_start or crowded(plan):
+    if plan.false_start or crowded(plan) or STUTTER in plan.words:
         return None
     for index, clause in enumerate(plan.clauses):
         if clause.link not in ("main", "coordinate") or not pause_fits(clause):
@@ -131,6 +131,9 @@ def _oath(
         marker = rng.marker([m for m in lexicon.markers[kind] if m.place == "degree"])
         if marker is not None and rng.uniform("degree") < _BEFORE_ADJECTIVE:
             return replaced(plan, index, with_degree(clause, marker.text, EMPHASIZED), marker.text)
+    # One swears when one begins, or at what one feels; not in passing, nor for somebody else.
+    if plan.clauses[0].clause.quotation or not (plan.first or plan.clauses[0].frame):
+        return None
     return _opener(plan, kind, ("opener",), rng, lexicon)
 
 
