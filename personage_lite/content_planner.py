@@ -19,8 +19,7 @@ from personage_lite.realizer.specification import AdjectivePhrase
 STAGE = "content_planning"
 # The most facts that verbosity adds to the first one.
 _MOST_MORE = 6.0
-# The most facts added to these to finish a thought, and the verbosity of who finishes none.
-_TO_FINISH = 3
+# Who is less verbose than this stops where it falls, in the middle of a thought.
 _TERSE = 0.09
 # How many facts back somebody still has in mind what was told.
 _LATELY = 8
@@ -67,7 +66,7 @@ class _Planner:
         choice = FactChoice(self.character, self.turn)
         facts: list[Fact] = []
         # Who says much finishes the thought rather than leave one fact to stand alone afterwards.
-        most = count if verbosity < _TERSE else count + _TO_FINISH
+        most = count if verbosity < _TERSE else 2 * count
         while len(facts) < count or (len(facts) < most and choice.unfinished(facts[-1])):
             fact = choice.take(last, len(facts))
             if fact is None:

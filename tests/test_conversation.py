@@ -334,7 +334,10 @@ class Listener:
             return False
         if mention.is_subject and mention.subject_before == mention.entity:
             return True
-        rivals = {other.entity for other in lately if other.kind == mention.kind}
+        # Who has been named in this sentence is nearer than all of the sentence before.
+        named = mention.entity in {other.entity for other in self.sentence}
+        near = self.sentence if named else lately
+        rivals = {other.entity for other in near if other.kind == mention.kind}
         if mention.argument:
             rivals.discard(mention.clause_subject)  # that would be "herself"
         return rivals == {mention.entity}

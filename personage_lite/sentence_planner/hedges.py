@@ -147,7 +147,11 @@ def _soft_places(plan: SentencePlan, index: int, lexicon: Lexicon) -> set[str]:
     if free and not clause.clause.quotation and not plan.afterthought:
         fronted = any(other.link in ("fronted", "relative") for other in plan.clauses)
         set_in_place = bool(clause.clause.preposed)  # "at the trial" is not when I think so
-        if clause.link == "main" and not (fronted or plan.connective or set_in_place):
+        begun = bool(plan.connective or plan.openers)
+        # One says "I don't think she is", which is no longer this fact.
+        if clause.link == "main" and not (
+            fronted or begun or set_in_place or clause.clause.negated
+        ):
             places.add("lead")
         if len(plan.clauses) == 1 and not plan.tag:
             places.add("end")

@@ -31,7 +31,7 @@ _MOST_MARKS = 1
 # Of the sentences that leave everybody cold, the share that can be exclaimed all the same.
 _PLAINLY_EXCLAIMED = 0.8
 # Of the sentences that could end with "mate", the share that does; "Listen to this, mate!" can.
-_NUDGED = 0.15
+_NUDGED = 0.05
 STUTTER = "stutter"
 
 
@@ -183,8 +183,8 @@ def tag_question(
     if doubtful(plan):
         return None
     agreeing = host.frame is None or host.frame.form == "clause"
-    # The listener can be asked what somebody is like, but not what happens, nor a plain fact.
-    if not describes(last) or last.story or last.polarity == "neutral":
+    # The listener can be asked what somebody is, not what they have or do, nor a plain fact.
+    if last.clause.verb != "be" or last.story or last.polarity == "neutral":
         return None
     able = [
         marker

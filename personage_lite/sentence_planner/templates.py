@@ -98,8 +98,8 @@ def lead_text(words: str, topic: NounPhrase) -> Text:
 def fits(template: Template, plan: ClausePlan) -> bool:
     """Whether a template of a clause's polarity is grammatical and true of it."""
     clause, form = plan.clause, template.form
-    if plan.polarity == "neutral" and template.hedging and form == "clause":
-        return False  # nobody has a view on whether she is a little girl
+    if template.hedging and form == "clause" and (plan.polarity == "neutral" or clause.negated):
+        return False  # nobody has a view on a plain fact; one says "I don't think she is"
     quality = isinstance(clause.complement, AdjectivePhrase)
     if not suits(template, plan):
         return False
