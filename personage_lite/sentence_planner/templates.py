@@ -146,7 +146,7 @@ def framed(plan: ClausePlan, template: Template, lexicon: Lexicon, topic: NounPh
 def select_templates(
     plan: ContentPlan, character: Character, plain: PlainClauses, turn: Turn
 ) -> tuple[list[ClausePlan], list[Made], list[str]]:
-    """Give each message its clause, plain or framed; no two in a row are framed.
+    """Give each message its clause, plain or framed; frames stand some messages apart.
 
     Returns the clauses, the decisions, and the templates and parameters used.
     """
