@@ -14,6 +14,7 @@ from typing import NamedTuple, TypeVar
 from personage_lite.dialog_words import DialogWords, Part
 from personage_lite.errors import PersonageError, shown
 from personage_lite.lexicon import Lexicon, Marker
+from personage_lite.names import checked_name
 from personage_lite.operators import Operator, OperatorDraws, SentenceRewrite, Turn, run_operators
 from personage_lite.plan import Decision, Made, SentencePlan, Status
 from personage_lite.realizer import Realizer
@@ -25,7 +26,6 @@ from personage_lite.state import ConversationState
 
 T = TypeVar("T")
 STAGE = "pragmatic_markers"
-LONGEST_NAME = 100
 _SLOT = re.compile(r"(\{topic\}|\{name\}|\{heard\})")
 _MARK = re.compile(r"^([,.!?…])\s*(.*)$")
 # How much rarer a line is that leans: a factor e^(-_RARE * lean²) before X is weighed.
@@ -132,23 +132,6 @@ def _given(value: T | None, act: str, what: str) -> T:
     if value is None:
         raise PersonageError(f"'{act}' says a {what}; give one")
     return value
-
-
-def checked_name(name: str) -> str:
-    """Return a listener's name with single spaces.
-
-    Raises `PersonageError` for one that is empty, too long, or cannot be printed.
-
-    >>> checked_name("  Anna  Maria ")
-    'Anna Maria'
-    """
-    tidy = " ".join(name.split())
-    if not tidy or len(tidy) > LONGEST_NAME or not tidy.isprintable():
-        shortened = ascii(shown(tidy))[1:-1]
-        raise PersonageError(
-            f"'{shortened}' is no name to greet by; give 1 to {LONGEST_NAME} printable characters"
-        )
-    return tidy
 
 
 # The operators, in the order in which they are offered.

@@ -96,7 +96,7 @@ def generator_for(facts: str | None) -> Generator:
 def _options(arguments: argparse.Namespace) -> Options:
     from adaptation.learners import LEARNERS
     from adaptation.storyteller.assembly import Options
-    from personage_lite.speech_acts import checked_name
+    from personage_lite.names import checked_name
 
     if arguments.seed is None:
         import secrets
