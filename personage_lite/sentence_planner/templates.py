@@ -156,7 +156,7 @@ def select_templates(
     # What the utterance opens with is frame enough for the first message.
     framed_before = plan.rejection or plan.mitigation or plan.confirmation
     since = _FRAMES_APART
-    topic_before = turn.state.topic == character.entity.id and _topic_told(character, turn)
+    topic_before = topic_told(character, turn)
     offers = []
     for name in _PARAMETERS:
         probability = turn.probability(name)
@@ -200,8 +200,10 @@ def select_templates(
     return clauses, decisions, used
 
 
-def _topic_told(character: Character, turn: Turn) -> str:
-    """Return the topic of what was told last."""
+def topic_told(character: Character, turn: Turn) -> str:
+    """Return the topic of what was told last, if it was about the same character."""
+    if turn.state.topic != character.entity.id:
+        return ""
     last = character.by_id.get(turn.state.last_fact)
     return last.topic if last is not None else ""
 
