@@ -23,8 +23,6 @@ _MOST_MORE = 6.0
 _TERSE = 0.09
 # How many facts back somebody still has in mind what was told.
 _LATELY = 8
-# So many facts can stand without another topic after them.
-_ENOUGH = 1
 _SAID_AGAIN: tuple[tuple[str, Role], ...] = (
     ("repetitions", "repetition"),
     ("restatements", "restatement"),
@@ -71,9 +69,9 @@ class _Planner:
             fact = choice.take(last, len(facts))
             if fact is None:
                 break
-            # Who has said enough does not begin another topic in the same breath.
-            moved = last is not None and self.link(last, fact).kind == "none"
-            if moved and last is not None and last.topic != fact.topic and len(facts) >= _ENOUGH:
+            # Nobody begins another topic in the same breath, but by what ties the two.
+            elsewhere = bool(facts) and fact.topic != facts[-1].topic
+            if elsewhere and self.link(facts[-1], fact).kind == "none":
                 break
             facts.append(fact)
             last = fact

@@ -99,9 +99,8 @@ def write_corpus(
 
     `characters` are all of the facts if none is named. What is not finished stands in a file
     `.partial` beside; the same call goes on from it, and a longer one too. `workers` are processes
-    that generate; `progress` is called with the number of utterances so far (by default
-    it shows nothing). Raises
-    `PersonageError` for a fault in what is given and for what cannot be written.
+    that generate; `progress` is called with the number of utterances so far (by default it shows
+    nothing). Raises `PersonageError` for a fault in what is given and for what cannot be written.
     """
     path = check_out(out)
     generator = Generator(facts=facts)

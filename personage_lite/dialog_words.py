@@ -11,12 +11,11 @@ from os.path import join
 from types import MappingProxyType
 from typing import NamedTuple
 
-from personage_lite.lexicon import Marker
+from personage_lite.lexicon import Marker, marker_basics
 from personage_lite.yaml_reader import Node, read_yaml
 
-# What is put in place of these: the character, the listener, and words of the listener's.
-SLOTS = ("{topic}", "{name}", "{heard}")
-# Every act, and the slots that its sentences can have.
+# Every act, and the slots that its sentences can have: for the character ({topic}), the listener
+# ({name}), and words of the listener's ({heard}).
 ACTS: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
         "greeting": (),
@@ -146,13 +145,7 @@ def _markers(node: Node, places: tuple[str, ...]) -> tuple[Marker, ...]:
 def _marker(item: Node, places: tuple[str, ...]) -> Marker:
     if item.is_text() and not places:
         return Marker(item.text())
-    marker = Marker(
-        text=item.need("text").text(),
-        place=item.need("place").choice(places) if places else "",
-        after=item.choice_of("after", (",", "!", "?", "…", "."), ""),
-        lean=item.number_of("lean", -1, 1, 0.0),
-        weight=item.number_of("weight", 0, 100, 1.0),
-    )
+    marker = Marker(*marker_basics(item, places))
     item.done()
     return marker
 

@@ -215,17 +215,14 @@ class Generator:
         >>> "the White Rabbit" in said.text, said.state.turn
         (True, 1)
         """
-        from personage_lite.speech_acts import Said, Slots, sentence_of, speech_act
+        from personage_lite.speech_acts import Said, Slots, speech_act
 
         about = self.character(character) if character else None
         x = check_x(x)
         draws = Draws(int(seed), state.turn)
         parameters = noisy(self.style.anchored(x), draws)
-
-        def show(plan: SentencePlan) -> str:
-            return self.realizer.realize(sentence_of(plan))
-
-        turn = Turn(parameters, draws, x, state, "mild", self.lexicon, show if trace else None)
+        show = self._show if trace else None
+        turn = Turn(parameters, draws, x, state, "mild", self.lexicon, show)
         slots = Slots(about.entity.phrase if about else None, name, heard)
         text, decisions, sentences, markers = speech_act(
             act, self.dialog, slots, turn, self.realizer

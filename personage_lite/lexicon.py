@@ -194,11 +194,7 @@ def _marker(item: Node, kind: str, places: tuple[str, ...]) -> Marker:
     if item.is_text() and not places and not cue:
         return Marker(item.text())
     marker = Marker(
-        text=item.need("text").text(),
-        place=item.need("place").choice(places) if places else "",
-        after=item.choice_of("after", (",", "!", "?", "…", "."), ""),
-        lean=item.number_of("lean", -1, 1, 0.0),
-        weight=item.number_of("weight", 0, 100, 1.0),
+        *marker_basics(item, places),
         attach=item.need("attach").choice(ATTACHMENTS) if cue else "",
         role=item.choice_of("role", ("nucleus", "satellite"), ""),
         own_subject=item.flag_of("own_subject"),
@@ -210,6 +206,20 @@ def _marker(item: Node, kind: str, places: tuple[str, ...]) -> Marker:
     )
     item.done()
     return marker
+
+
+def marker_basics(item: Node, places: tuple[str, ...]) -> tuple[str, str, str, float, float]:
+    """Read what every marker has: text, place, the mark after it, lean and weight.
+
+    The caller reads what else there can be, and refuses the rest with `done`.
+    """
+    return (
+        item.need("text").text(),
+        item.need("place").choice(places) if places else "",
+        item.choice_of("after", (",", "!", "?", "…", "."), ""),
+        item.number_of("lean", -1, 1, 0.0),
+        item.number_of("weight", 0, 100, 1.0),
+    )
 
 
 def _feelings(item: Node) -> tuple[str, ...]:

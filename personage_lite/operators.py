@@ -19,8 +19,8 @@ T = TypeVar("T")
 # How strongly X pulls the choice of a word towards its lean: a factor e^(lean * X * pull).
 _PULL = 2.2
 # Words whose weight at an X is less are not said there at all.
-LEAST_WEIGHT = 0.45
-_LEAST_LEAN = log(LEAST_WEIGHT) / _PULL
+_LEAST_WEIGHT = 0.45
+_LEAST_LEAN = log(_LEAST_WEIGHT) / _PULL
 # Who is neither introvert nor extravert rather leaves the words of both ends to them: a word
 # whose lean is beyond this, or beyond what X adds to it, loses weight by a factor e^(-excess * 8).
 _MOST_LEAN = 0.45

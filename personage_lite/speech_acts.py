@@ -14,18 +14,20 @@ from typing import NamedTuple, TypeVar
 from personage_lite.dialog_words import DialogWords, Part
 from personage_lite.errors import PersonageError, shown
 from personage_lite.lexicon import Lexicon, Marker
+from personage_lite.names import checked_name
 from personage_lite.operators import Operator, OperatorDraws, SentenceRewrite, Turn, run_operators
 from personage_lite.plan import Decision, Made, SentencePlan, Status
 from personage_lite.realizer import Realizer
-from personage_lite.realizer.specification import Cased, NounPhrase, Opener, Phrase, Sentence, Text
+from personage_lite.realizer.specification import Cased, NounPhrase, Phrase, Sentence, Text
+from personage_lite.sentence_planner.assembly import assemble
+from personage_lite.sentence_planner.hedges import with_opener
+from personage_lite.sentence_planner.speech import STUTTER
 from personage_lite.state import ConversationState
 
 T = TypeVar("T")
 STAGE = "pragmatic_markers"
-LONGEST_NAME = 100
 _SLOT = re.compile(r"(\{topic\}|\{name\}|\{heard\})")
 _MARK = re.compile(r"^([,.!?…])\s*(.*)$")
-_STUTTER = "stutter"
 # How much rarer a line is that leans: a factor e^(-_RARE * lean²) before X is weighed.
 _RARE = 4.0
 
@@ -70,7 +72,7 @@ def speech_act(
             line = _line(part.lines, turn.rng(f"{act}/{index}"))
             plans.append(_plan(line, act, slots))
     made += run_operators(plans, operators(words), STAGE, turn)
-    sentences = tuple(sentence_of(plan) for plan in plans)
+    sentences = tuple(assemble(plan, ()) for plan in plans)
     text = " ".join(realizer.realize(sentence) for sentence in sentences)
     marked = {word for plan in plans for word in plan.words}
     decisions = tuple(map(Decision._make, made))
@@ -132,35 +134,6 @@ def _given(value: T | None, act: str, what: str) -> T:
     return value
 
 
-def checked_name(name: str) -> str:
-    """Return a listener's name with single spaces.
-
-    Raises `PersonageError` for one that is empty, too long, or cannot be printed.
-
-    >>> checked_name("  Anna  Maria ")
-    'Anna Maria'
-    """
-    tidy = " ".join(name.split())
-    if not tidy or len(tidy) > LONGEST_NAME or not tidy.isprintable():
-        shortened = ascii(shown(tidy))[1:-1]
-        raise PersonageError(
-            f"'{shortened}' is no name to greet by; give 1 to {LONGEST_NAME} printable characters"
-        )
-    return tidy
-
-
-def sentence_of(plan: SentencePlan) -> Sentence:
-    """Return the realizer's specification of one sentence of an act."""
-    assert plan.fragment is not None
-    return Sentence(
-        plan.fragment,
-        openers=plan.openers,
-        vocative=plan.vocative,
-        afterthought=plan.afterthought,
-        terminal=plan.terminal,
-    )
-
-
 # The operators, in the order in which they are offered.
 
 
@@ -195,7 +168,7 @@ def _stuttering(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> 
     part = parts[found[0]]
     assert isinstance(part, Cased)
     parts[found[0]] = Cased(part.phrase._replace(stutter=1))
-    return plan._replace(fragment=Text(tuple(parts)), words=(*plan.words, _STUTTER))
+    return plan._replace(fragment=Text(tuple(parts)), words=(*plan.words, STUTTER))
 
 
 def _softening(markers: tuple[Marker, ...]) -> SentenceRewrite:
@@ -223,7 +196,7 @@ def _hesitating(markers: tuple[Marker, ...]) -> SentenceRewrite:
         if marker is None or plan.terminal == "!" or plan.fragment is None:
             return None
         if marker.place == "opener":
-            return _opened(plan, marker)
+            return with_opener(plan, marker)
         place = topic[0]
         parts = plan.fragment.parts
         parts = (*parts[:place], ",", marker.text, ",", *parts[place:])
@@ -243,14 +216,9 @@ def _opening(markers: tuple[Marker, ...]) -> SentenceRewrite:
         if "," in first or "," in "".join(more[:1]):
             return None  # "Okay, so what about …" has its own
         marker = rng.marker([each for each in markers if each.text != first])
-        return None if marker is None else _opened(plan, marker)
+        return None if marker is None else with_opener(plan, marker)
 
     return open_with
-
-
-def _opened(plan: SentencePlan, marker: Marker) -> SentencePlan:
-    opener = Opener(marker.text, marker.after)
-    return plan._replace(openers=(opener,), words=(*plan.words, marker.text))
 
 
 def _exclaiming(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> SentencePlan | None:

@@ -21,6 +21,8 @@ import pytest
 import yaml
 
 from personage_lite import Generator, __version__
+from personage_lite.cli import COMMANDS as NAMES
+from personage_lite.cli import main, parser
 from personage_lite.lexicon import MARKER_PLACES
 from personage_lite.style import STAGES
 
@@ -277,6 +279,34 @@ def test_version_and_help() -> None:
     )
     for command in ("generate", "characters", "check", "measure", "corpus"):
         assert say(command, "--help")[-1].startswith(f"example: personage-lite {command}")
+
+
+@pytest.mark.parametrize("command", NAMES)
+@pytest.mark.parametrize(
+    "rest", [["--help"], ["--hel"], ["--loud"], ["a", "b", "c", "d", "--loud"]]
+)
+def test_a_command_alone_reads_as_among_all(
+    command: str, rest: list[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Only the command that comes first is loaded; its help and faults stay the same."""
+    said = []
+    for parse in (main, parser().parse_args):
+        with pytest.raises(SystemExit) as ended:
+            parse([command, *rest])
+        said.append((ended.value.code, *capsys.readouterr()))
+    assert said[0] == said[1]
+    assert f"personage-lite {command}" in "".join(said[0][1:]) or "unrecognized" in said[0][2]
+
+
+def test_a_command_loads_no_other() -> None:
+    code = (
+        "import sys; from personage_lite.cli import main; main(['characters']); print(*sys.modules)"
+    )
+    ran = subprocess.run(
+        [sys.executable, "-c", code], cwd=ROOT, env=ENVIRONMENT, capture_output=True, check=True
+    )
+    loaded = ran.stdout.decode().split()
+    assert [name for name in NAMES if f"personage_lite.cli.{name}" in loaded] == ["characters"]
 
 
 # Bad input

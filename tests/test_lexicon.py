@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from pathlib import Path
 
@@ -126,6 +127,31 @@ def test_an_empty_word_list_is_refused(copy: Path) -> None:
         with pytest.raises(DataError, match=message):
             load_lexicon(copy)
         _spoil(copy, file, FILES[file].encode())
+
+
+@pytest.mark.parametrize("mark", ["", ",", "…"])
+def test_a_connective_has_the_mark_of_its_entry(mark: str, copy: Path, tmp_path: Path) -> None:
+    """The shipped "and" has none: "And she …", not "And, she …"."""
+    entry = "{text: and, place: connective, "
+    assert FILES["markers.yaml"].count(entry) == 1
+    after = f'after: "{mark}", ' if mark else ""
+    _spoil(copy, "markers.yaml", FILES["markers.yaml"].replace(entry, entry + after).encode())
+    try:
+        generator = Generator(facts=tmp_path, lexicons=copy)
+    finally:
+        _spoil(copy, "markers.yaml", FILES["markers.yaml"].encode())
+    things = "".join(
+        f"  - {{id: {thing}, predicate: have, object: a {thing}, topic: things}}\n"
+        for thing in ("cat", "dog", "hat", "kite")
+    )
+    head = "about: ann\nentities: {ann: {name: Ann}}\nfacts:\n"
+    (tmp_path / "ann.yaml").write_text(head + things, "utf-8")
+    setting = {"also_cue_word": 1.0, "period": 0.0, "conjunction": 0.0, "merge": 0.0}
+    setting["verbosity"] = 0.5
+    said = [generator.generate("ann", 1, seed, overrides=setting).text for seed in range(50)]
+    marks = [found for text in said for found in re.findall(r"[.!?] And([,…]?) ", text)]
+    assert len(marks) > 5
+    assert set(marks) == {mark}
 
 
 @pytest.mark.parametrize("file", FILES)

@@ -1,7 +1,7 @@
 """What the storyteller remembers of its listeners from one episode to the next.
 
 The paper's outlook (section VI): "from single conversational episodes with the robot to multiple
-conversational episodes covering a longer period of time". names.py: whom one may be called;
+conversational episodes covering a longer period of time". names.py: by what one is found;
 store.py: the database, by schema.py and migrations/; resuming.py: how an episode goes on from what
 is remembered, and how that fades; faults.py: what can go wrong, in one line each.
 
@@ -12,13 +12,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from adaptation.memory.names import checked_name
 from adaptation.memory.oblivious import Oblivious
 
 if TYPE_CHECKING:
     from adaptation.memory.store import SqlMemory
 
-__all__ = ["Oblivious", "checked_name", "open_memory"]
+__all__ = ["Oblivious", "open_memory"]
 
 
 def open_memory(

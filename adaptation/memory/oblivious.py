@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from adaptation.memory.names import checked_name
 from adaptation.storyteller.protocols import Acquaintance
+from personage_lite.names import checked_name
 
 
 class Oblivious:

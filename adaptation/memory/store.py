@@ -21,12 +21,13 @@ from adaptation.memory.erasing import tidied
 from adaptation.memory.faults import fault_of, needed_packages
 from adaptation.memory.knowledge import known_of
 from adaptation.memory.migrating import migrate
-from adaptation.memory.names import checked_name, key
+from adaptation.memory.names import key
 from adaptation.memory.places import found_place, is_missing, make_folder, shown_place
 from adaptation.memory.records import read_record, written_record
 from adaptation.memory.schema import EPISODE, LISTENER, TOLD, TURN
 from adaptation.storyteller.protocols import Acquaintance
 from personage_lite.errors import PersonageError, shown
+from personage_lite.names import checked_name
 
 Told = Mapping[str, Mapping[str, int]]
 _Result = TypeVar("_Result")
@@ -108,7 +109,7 @@ class SqlMemory:
     def begin(self, name: str, when: float) -> Acquaintance:
         """Begin an episode at `when` (epoch seconds); returns what is known, this one counted.
 
-        Raises `PersonageError` for a name that is none (see `adaptation.memory.names`).
+        Raises `PersonageError` for a name that is none (see `personage_lite.names`).
         """
         shown_name, found = checked_name(name), key(name)
         if not math.isfinite(when):

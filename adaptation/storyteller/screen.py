@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, NamedTuple, Protocol, TextIO
 
+from personage_lite.realizer.features import JOINERS
+
 
 class Status(NamedTuple):
     """What the status line shows: the dialog's phase and topic, X in force, E, the belief, turns.
@@ -166,9 +168,9 @@ class PlainScreen:
 
 
 def printable(text: str) -> str:
-    r"""Return a text without what could command a terminal.
+    r"""Return a text without what could command a terminal; joiners cannot.
 
     >>> printable("a\x1b[2Jb")
     'a[2Jb'
     """
-    return "".join(sign for sign in text if sign.isprintable())
+    return "".join(sign for sign in text if sign.isprintable() or sign in JOINERS)

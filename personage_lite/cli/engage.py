@@ -66,7 +66,7 @@ def run(arguments: argparse.Namespace) -> None:
     seconds = None if arguments.seconds is None else _number(arguments.seconds, "--seconds")
     estimator = EngagementEstimator(load_network(arguments.network))
     ticks = Ticks(time.monotonic, time.sleep, speed=speed, seconds=seconds)
-    with _own_stderr() as say:
+    with own_stderr() as say:
         watch = _watch(arguments, ticks, speed, say)
         # The record is opened last: a wrong option must leave no file behind.
         recorder = None if arguments.record is None else Recorder(arguments.record)
@@ -173,7 +173,7 @@ def _number(text: str, option: str) -> float:
 
 
 @contextmanager
-def _own_stderr() -> Iterator[Callable[[str], None]]:
+def own_stderr() -> Iterator[Callable[[str], None]]:
     """Give what says a line on stderr, and keep libraries' chatter from it.
 
     mediapipe and OpenCV write to stderr past Python, in the middle of the view.

@@ -33,26 +33,23 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Erase a listener and say so; raise if nobody of that name is known."""
-    from adaptation.memory import checked_name, open_memory
+    from adaptation.memory import open_memory
+    from personage_lite.names import checked_name
 
     if arguments.list == (arguments.name is not None):
         raise PersonageError("forget whom? give a name, or --list to see who is remembered")
-    if arguments.name is not None:
-        checked_name(arguments.name)
+    name = "" if arguments.list else checked_name(arguments.name)
     memory = open_memory(arguments.memory, make=False)
     try:
         if arguments.list:
             _list(memory.listeners(), arguments.format)
         else:
-            _forget(memory, arguments.name)
+            _forget(memory, name)
     finally:
         memory.close()
 
 
-def _forget(memory: SqlMemory, given: str) -> None:
-    from adaptation.memory import checked_name
-
-    name = checked_name(given)
+def _forget(memory: SqlMemory, name: str) -> None:
     erased = memory.erase(name)
     if not erased.known:
         others = [known.name for known in memory.listeners()]

@@ -73,9 +73,9 @@ def run(arguments: argparse.Namespace) -> None:
         return
     if arguments.compare:
         raise PersonageError("--compare needs a session log; add --replay LOG")
-    from personage_lite.cli.engage import _own_stderr
+    from personage_lite.cli.engage import own_stderr
 
-    with _own_stderr() as say, ExitStack() as stack:
+    with own_stderr() as say, ExitStack() as stack:
         options = _options(arguments)
         generator = generator_for(arguments.facts)
         outside = _outside(arguments, options, say, stack)
@@ -96,7 +96,7 @@ def generator_for(facts: str | None) -> Generator:
 def _options(arguments: argparse.Namespace) -> Options:
     from adaptation.learners import LEARNERS
     from adaptation.storyteller.assembly import Options
-    from personage_lite.speech_acts import checked_name
+    from personage_lite.names import checked_name
 
     if arguments.seed is None:
         import secrets
@@ -113,7 +113,7 @@ def _options(arguments: argparse.Namespace) -> Options:
         changes=_changes(arguments),
         tastes=_tastes(arguments),
         name="" if arguments.name is None else checked_name(arguments.name),
-        speed=_speed(arguments.speed),
+        speed=speed_of(arguments.speed),
         turns=None if arguments.turns is None else whole_number(arguments.turns, "--turns", 1),
         characters=_listed(arguments.characters, "--characters"),
         settings={"facts": arguments.facts, "learner": arguments.learner},
@@ -187,7 +187,8 @@ def _listed(text: str | None, option: str) -> list[str]:
     return names
 
 
-def _speed(text: str) -> float:
+def speed_of(text: str) -> float:
+    """Return how many times as fast a session runs; 0 is at once."""
     try:
         speed = float(text)
     except ValueError:

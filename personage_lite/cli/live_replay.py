@@ -16,9 +16,9 @@ def replay(arguments: argparse.Namespace) -> None:
     from adaptation.storyteller.pace import seconds_to_say
     from adaptation.storyteller.replaying import replayed
     from adaptation.storyteller.session_log import read_sessions
-    from personage_lite.cli.live import _speed, generator_for
+    from personage_lite.cli.live import generator_for, speed_of
 
-    speed = _speed(arguments.speed)
+    speed = speed_of(arguments.speed)
     for session in read_sessions(arguments.replay):
         if arguments.compare:
             say_whole(compared(session), sys.stdout)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import argparse
-import sys
 
+from personage_lite.cli.content import content
 from personage_lite.errors import PersonageError
 
 HELP = "measure the style of a text or a corpus, by X, beside the published directions"
@@ -29,12 +29,12 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.plot is not None:  # What would stop it is said before the long work.
         check_plot_path(arguments.plot)
         imported("matplotlib")
-    content, name = _content(arguments.file)
+    given, name = content(arguments.file)
     from personage_lite.measure.reading import read_utterances
     from personage_lite.measure.report import measure
     from personage_lite.measure.table import records, table
 
-    utterances = read_utterances(content, name)
+    utterances = read_utterances(given, name)
     if arguments.plot is not None and len({said.x for said in utterances}) < 2:
         raise PersonageError(f"{name} has not two X to plot; give records of several X")
     report = measure(utterances, arguments.lexicons)
@@ -47,14 +47,3 @@ def run(arguments: argparse.Namespace) -> None:
             print(dumps(record, ensure_ascii=False))
     else:
         print(table(report, arguments.richness))
-
-
-def _content(file: str) -> tuple[str, str]:
-    """Return what is to be read, and how errors name it."""
-    from personage_lite.yaml_reader import decoded, read_text
-
-    if file != "-":
-        return read_text(file, file), file
-    if sys.stdin is None or sys.stdin.closed:
-        raise PersonageError("there is no standard input to read; name a file")
-    return decoded(sys.stdin.buffer.read(), "standard input"), "standard input"

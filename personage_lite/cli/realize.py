@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import argparse
-import sys
 
+from personage_lite.cli.content import content
 from personage_lite.errors import PersonageError
 
 HELP = "say the sentences that a YAML or JSON file specifies: the realizer alone"
@@ -30,7 +30,9 @@ def run(arguments: argparse.Namespace) -> None:
 
         print(schema_text())
         return
-    content, name = _content(arguments.file)
+    if arguments.file is None:
+        raise PersonageError("no file to realize; name one, or - for standard input")
+    given, name = content(arguments.file)
     from personage_lite.data import data_folder
     from personage_lite.realizer import Realizer
     from personage_lite.realizer.files import realize_file
@@ -43,23 +45,10 @@ def run(arguments: argparse.Namespace) -> None:
         arguments.curly_apostrophes,
     )
     # All are realized before any is printed: a fault in the last leaves no half output.
-    texts = realize_file(content, name, Realizer(grammar))
+    texts = realize_file(given, name, Realizer(grammar))
     if arguments.format == "json":
         from json import dumps
 
         texts = [dumps({"text": text}, ensure_ascii=False) for text in texts]
     for text in texts:
         print(text)
-
-
-def _content(file: str | None) -> tuple[str, str]:
-    """Return what is to be read, and how errors name it."""
-    from personage_lite.yaml_reader import decoded, read_text
-
-    if file is None:
-        raise PersonageError("no file to realize; name one, or - for standard input")
-    if file != "-":
-        return read_text(file, file), file
-    if sys.stdin is None or sys.stdin.closed:
-        raise PersonageError("there is no standard input to read; name a file")
-    return decoded(sys.stdin.buffer.read(), "standard input"), "standard input"

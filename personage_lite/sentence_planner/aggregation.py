@@ -18,7 +18,6 @@ from personage_lite.realizer.specification import (
     Clause,
     Coordination,
     NounPhrase,
-    Opener,
     Phrase,
     Text,
 )
@@ -28,7 +27,7 @@ from personage_lite.sentence_planner.cue_words import (
     justify_cue_word,
     sequence_cue_word,
 )
-from personage_lite.sentence_planner.hedges import EMPHASIZED
+from personage_lite.sentence_planner.hedges import EMPHASIZED, with_opener
 from personage_lite.sentence_planner.joining import (
     MOST_UNCUED,
     Joint,
@@ -218,10 +217,9 @@ def also_cue_word(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint 
     if cue is None:
         return None
     if cue.place == "connective":
-        said = SentencePlan((right,), words=(cue.text,))
-        if cue.after:
-            return (pair.left, said._replace(connective=cue.text))
-        return (pair.left, said._replace(openers=(Opener(cue.text),)))
+        if cue.after == ",":
+            return (pair.left, SentencePlan((right,), connective=cue.text, words=(cue.text,)))
+        return (pair.left, with_opener(SentencePlan((right,)), cue))
     clause = right.clause._replace(adverbs=(cue.text,))
     return (pair.left, SentencePlan((right._replace(clause=clause),), words=(cue.text,)))
 

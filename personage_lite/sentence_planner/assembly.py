@@ -21,7 +21,11 @@ def assemble(plan: SentencePlan, clauses: tuple[ClausePlan, ...]) -> Sentence:
     """Return the realizer's specification of a sentence plan with these clauses."""
     if plan.fragment is not None:
         return Sentence(
-            plan.fragment, openers=plan.openers, vocative=plan.vocative, terminal=plan.terminal
+            plan.fragment,
+            openers=plan.openers,
+            vocative=plan.vocative,
+            afterthought=plan.afterthought,
+            terminal=plan.terminal,
         )
     bodies: list[tuple[ClausePlan, Clause]] = []
     fronted: tuple[Subordinate, ...] = ()

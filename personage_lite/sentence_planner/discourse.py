@@ -16,7 +16,7 @@ from personage_lite.plan import ClausePlan, ContentPlan, Made, SentencePlan, Sta
 from personage_lite.realizer.specification import Text
 from personage_lite.sentence_planner import hedges, speech
 from personage_lite.sentence_planner.fitting import suits
-from personage_lite.sentence_planner.templates import lead_text
+from personage_lite.sentence_planner.templates import lead_text, topic_told
 
 STAGE = "aggregation"
 
@@ -37,7 +37,7 @@ def with_openings(
             sentence = tuple.__new__(SentencePlan, fields)
         placed.append(sentence)
     decisions: list[Made] = []
-    topic_before = _topic_before(character, turn)
+    topic_before = topic_told(character, turn)
     topic, unset, shifted = topic_before, "", False
     plain = not (plan.mitigation or plan.rejection or plan.confirmation)
     for index, sentence in enumerate(placed):
@@ -148,14 +148,6 @@ def with_reaction(
 def _fragment(marker: Marker) -> SentencePlan:
     words = (marker.text,)
     return SentencePlan(fragment=Text(words), terminal=marker.after or ".", words=words)
-
-
-def _topic_before(character: Character, turn: Turn) -> str:
-    """Return the topic of what was told last, if it was about the same character."""
-    if turn.state.topic != character.entity.id:
-        return ""
-    last = character.by_id.get(turn.state.last_fact)
-    return last.topic if last is not None else ""
 
 
 def _recalling(sentence: SentencePlan, turn: Turn) -> SentencePlan:

@@ -270,11 +270,11 @@ class ReferringExpressions:
         self._contracted = clause.contracted
         indirect, direct, complement = clause.indirect_object, clause.object, clause.complement
         if isinstance(indirect, Text):
-            indirect = self._text(indirect, argument=True)
+            indirect = self._text(indirect, alone=len(indirect.parts) == 1)
         if isinstance(direct, Text):
-            direct = self._text(direct, argument=True)
+            direct = self._text(direct, alone=len(direct.parts) == 1)
         if isinstance(complement, Text):
-            complement = self._text(complement, argument=True, whole=True)
+            complement = self._text(complement, alone=True)
         adverbials, asides = clause.adverbials, clause.asides
         if adverbials:
             adverbials = tuple([self._phrase(phrase) for phrase in adverbials])
@@ -287,10 +287,11 @@ class ReferringExpressions:
     def _phrase(self, phrase: Phrase) -> Phrase:
         return self._text(phrase) if isinstance(phrase, Text) else phrase
 
-    def _text(self, text: Text, argument: bool = False, whole: bool = False) -> Text:
-        """Resolve the mentions among words; an `argument` is its clause's object or complement.
+    def _text(self, text: Text, alone: bool = False) -> Text:
+        """Resolve the mentions among words.
 
-        In a complement any mention, in an object one that stands alone, is not the subject's.
+        `alone` says that none of them is the subject's: so it is in a complement, and in an object
+        that is nothing but a mention.
         """
         parts: list[Cased | Phrase] = []
         changed = embedded = False
@@ -300,7 +301,6 @@ class ReferringExpressions:
                 embedded = embedded or part.case == "subjective"
                 # A subject inside a clause does not go on with the clause before.
                 objective = part.case == "objective" and not embedded
-                alone = argument and (whole or len(text.parts) == 1)
                 # "Alice doesn't like standing close to her", if it was she who was talked about.
                 objective = objective and (alone or part.phrase.entity == self._subject)
                 form = self.form(part.phrase, False, bound, part.case == "possessive", objective)

@@ -146,7 +146,7 @@ def framed(plan: ClausePlan, template: Template, lexicon: Lexicon, topic: NounPh
 def select_templates(
     plan: ContentPlan, character: Character, plain: PlainClauses, turn: Turn
 ) -> tuple[list[ClausePlan], list[Made], list[str]]:
-    """Give each message its clause, plain or framed; no two in a row are framed.
+    """Give each message its clause, plain or framed; frames stand some messages apart.
 
     Returns the clauses, the decisions, and the templates and parameters used.
     """
@@ -156,7 +156,7 @@ def select_templates(
     # What the utterance opens with is frame enough for the first message.
     framed_before = plan.rejection or plan.mitigation or plan.confirmation
     since = _FRAMES_APART
-    topic_before = turn.state.topic == character.entity.id and _topic_told(character, turn)
+    topic_before = topic_told(character, turn)
     offers = []
     for name in _PARAMETERS:
         probability = turn.probability(name)
@@ -200,8 +200,10 @@ def select_templates(
     return clauses, decisions, used
 
 
-def _topic_told(character: Character, turn: Turn) -> str:
-    """Return the topic of what was told last."""
+def topic_told(character: Character, turn: Turn) -> str:
+    """Return the topic of what was told last, if it was about the same character."""
+    if turn.state.topic != character.entity.id:
+        return ""
     last = character.by_id.get(turn.state.last_fact)
     return last.topic if last is not None else ""
 

@@ -102,6 +102,14 @@ def test_what_is_no_log_is_left_alone(tmp_path: Path) -> None:
     assert path.read_text("utf-8") == "Dear diary,\n"
 
 
+@pytest.mark.parametrize("name", ["می\u200cخواهم", "ක්\u200dෂ", "李小龙"])
+def test_a_listener_is_greeted_in_any_script(
+    tmp_path: Path, name: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    run(tmp_path, "--listener", "match", "--name", name, "--turns", "1", "--seed", "1")
+    assert name in capsys.readouterr().out.splitlines()[0]
+
+
 def test_two_sessions_do_not_write_one_log(tmp_path: Path) -> None:
     log = SessionLog(str(tmp_path / "log.jsonl"))
     with pytest.raises(PersonageError, match="another session is writing it"):
@@ -122,8 +130,8 @@ def test_a_full_disk_is_said(tmp_path: Path) -> None:
         (["--listener", "mach"], "no listener 'mach'"),
         (["--learner", "bays"], "no learner 'bays'"),
         (["--sensor", "camra"], "no sensor 'camra'"),
-        (["--name", "a\x1bb"], "is no name to greet by"),
-        (["--name", "a" * 10_000], "is no name to greet by"),
+        (["--name", "a\x1bb"], "holds the character U+001B, which cannot be seen; leave it out"),
+        (["--name", "a" * 10_000], "is 10000 characters long; give at most 100"),
         (["--speed", "-1"], "--speed is '-1'"),
         (["--turns", "0"], "--turns is '0'"),
         (["--characters", "alcie"], "no character 'alcie'; did you mean alice?"),
