@@ -222,9 +222,9 @@ def mitigations(said: Utterance) -> float:
 
 
 def first_person(said: Utterance) -> float:
-    """Count self-references of templates: "I love how"."""
-    leads = {item.lead.split(" {")[0] for item in LEXICON.templates["self_references"]}
-    return sum(lead in leads for lead in frames(said))
+    """Count self-references: "I love how"."""
+    applied = [decision for decision in said.decisions if decision.status == "applied"]
+    return sum(decision.operator == "self_references" for decision in applied)
 
 
 def false_starts(said: Utterance) -> float:
@@ -252,14 +252,14 @@ RISING: list[tuple[Measure, float]] = [
     (exclamations, 0.8),
     (emphasizers, 0.15),
     (first_person, 0.15),
-    (oaths, 0.1),
+    (oaths, 0.07),
     (confirmations, 0.1),
 ]
 FALLING: list[tuple[Measure, float]] = [
     (softeners, 0.15),
-    (stutters, 0.2),
+    (stutters, 0.08),
     (hesitations, 0.015),
-    (rejections, 0.03),
+    (rejections, 0.02),
 ]
 # What is rare on one side, where chance, or what else stands there, may hide a small step.
 ROUGHLY: list[tuple[Measure, float]] = [(acknowledgments, 0.08), (false_starts, -0.004)]

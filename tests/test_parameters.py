@@ -497,7 +497,7 @@ PROBES: dict[str, Probe] = {
         0.7,
         setting={"softener_hedges": 0.0, "verbosity": PAIR},
     ),
-    "syntactic_complexity": Probe(nested, 0.7, setting={"self_references": 0.0}),
+    "syntactic_complexity": Probe(nested, 0.6, setting={"self_references": 0.0}),
     "template_polarity": Probe(
         template_polarity, 0.4, setting={"self_references": 1.0, "verbosity": 0.5}, seeds=400
     ),
@@ -516,7 +516,7 @@ PROBES: dict[str, Probe] = {
         seeds=600,
     ),
     "conjunction": Probe(count(cues, "conjunction"), 0.1, setting=SOME),
-    "merge": Probe(merged, 0.02, setting=PLAIN | MANY, seeds=300),
+    "merge": Probe(merged, 0.004, setting=PLAIN | MANY, seeds=900),
     "also_cue_word": Probe(also, 0.01, setting=SOME, seeds=300),
     "contrast_cue_word": Probe(
         count(cues, "contrast_cue_word"), 0.1, setting=MANY | {"concede_cue_word": 0.0}
@@ -562,7 +562,7 @@ PROBES: dict[str, Probe] = {
     ),
     "expletives": Probe(oaths, 0.4, rating="strong"),
     "near_expletives": Probe(near_oaths, 0.4),
-    "tag_question": Probe(lambda said: [float(any(s.tag for s in said.sentences))], 0.3),
+    "tag_question": Probe(lambda said: [float(any(s.tag for s in said.sentences))], 0.25),
     "in_group_marker": Probe(lambda said: [float(any(s.vocative for s in said.sentences))], 0.08),
     # Lexical choice
     "lexicon_frequency": Probe(

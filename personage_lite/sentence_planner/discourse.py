@@ -135,6 +135,8 @@ def with_reaction(
         felt = {part.feeling for part in last.clauses if part.feeling}
         # "I love how …" is reaction enough; and nobody laughs at one half and weeps at the other.
         clear = clause.frame is None and felt == {clause.feeling}
+        # Nor does anybody say "Oh, I love him! … It's so sad!".
+        clear = clear and not (clause.feeling == "sad" and sentences[0].fragment is not None)
         if clear and not asks and not hedges.doubtful(last):
             able = [m for m in turn.lexicon.markers["reaction"] if suits(m, clause)]
             words = {word for sentence in sentences for word in sentence.words}

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from typing import NamedTuple, Protocol, TypeAlias
 
+from personage_lite.facts import OPPOSING_KINDS
 from personage_lite.lexicon import Lexicon, Marker
 from personage_lite.operators import OperatorDraws
 from personage_lite.plan import STATES, ClausePlan, Link, SentencePlan
@@ -85,6 +86,7 @@ def coordinate(pair: Pair, cue: Marker, rng: OperatorDraws, most: int) -> Joint 
         and last.frame is None
         and right.frame is None
         and not cue.own_subject
+        and pair.link.kind not in OPPOSING_KINDS  # "… but would rather stay" is written English
         and last.role == "assertion"
         and last.clause.verb != right.clause.verb
         and describes(last) == describes(right)

@@ -83,8 +83,10 @@ class ReferringExpressions:
     def _may_be_pronoun(self, entity: Entity, subjective: bool, objective: bool) -> bool:
         if entity.id not in self._here and entity.id not in self._before:
             return False
-        if self._turn_before and entity.id not in self._here and entity.id != self._going_on:
-            return False  # across turns only the one who is talked about stays clear
+        # Across turns only the one who is talked about stays clear, and only as a subject.
+        resumed = entity.id == self._going_on and subjective
+        if self._turn_before and entity.id not in self._here and not resumed:
+            return False
         if subjective and entity.id in self._owners and entity.id != self._subject:
             return False  # not "in the Rabbit's house, and he …"
         # "It" is taken for the last thing named, whichever was the subject.

@@ -30,8 +30,6 @@ _BEFORE_ADJECTIVE = 0.5
 _MOST_MARKS = 1
 # Of the sentences that leave everybody cold, the share that can be exclaimed all the same.
 _PLAINLY_EXCLAIMED = 0.8
-# Of the sentences that could end with "mate", the share that does; "Listen to this, mate!" can.
-_NUDGED = 0.05
 STUTTER = "stutter"
 
 
@@ -221,8 +219,8 @@ def in_group_marker(
         return None
     if plan.clauses:
         (last, *more) = plan.clauses
-        # One nudges a friend where there is something to it, and not often.
-        if more or last.clause.quotation or not last.feeling or rng.uniform("fact") >= _NUDGED:
+        # One nudges a friend where there is something to it.
+        if more or last.clause.quotation or not last.feeling:
             return None
     elif plan.fragment is not None and any(map(_is_mention, plan.fragment.parts)):
         return None  # "I love the Hatter, mate!" would make a mate of him
