@@ -248,7 +248,7 @@ RISING: list[tuple[Measure, float]] = [
     (fact_count, 1.2),
     (positive_words, 0.5),
     (tags, 0.02),
-    (vocatives, 0.02),
+    (vocatives, 0.01),
     (exclamations, 0.8),
     (emphasizers, 0.15),
     (first_person, 0.15),
@@ -257,7 +257,7 @@ RISING: list[tuple[Measure, float]] = [
 ]
 FALLING: list[tuple[Measure, float]] = [
     (softeners, 0.15),
-    (stutters, 0.08),
+    (stutters, 0.05),
     (hesitations, 0.015),
     (rejections, 0.02),
 ]

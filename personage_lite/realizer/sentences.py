@@ -12,6 +12,7 @@ from personage_lite.realizer.specification import (
     Clause,
     Coordination,
     Embedded,
+    NounPhrase,
     Phrase,
     Sentence,
 )
@@ -40,8 +41,10 @@ def sentence(syntax: Syntax, spec: Sentence) -> list[str]:
         out.extend((connective, ","))
     if broken and isinstance(body, Clause | Embedded):
         clause = body.clause if isinstance(body, Embedded) else body
-        main_clause(syntax, out, clause._replace(truncated=True, subordinates=()))
+        main_clause(syntax, out, clause._replace(truncated=True, adverbs=(), subordinates=()))
         out.append("…")
+        if isinstance(body, Clause):
+            body = body._replace(subject=_taken_up(body.subject))
     _body(syntax, out, body)
     last: object = body
     for joined in following:
@@ -65,6 +68,14 @@ def sentence(syntax: Syntax, spec: Sentence) -> list[str]:
         out.extend((",", vocative))
     out.append("?" if tag else terminal or _terminal(last))
     return out
+
+
+def _taken_up(subject: Phrase | None) -> Phrase | None:
+    """Return the pronoun for a subject that was just named, if it is sure to be the right one."""
+    if not isinstance(subject, NounPhrase) or subject.relative or subject.possessor:
+        return subject
+    known = subject.entity or subject.gender != "neuter"
+    return subject._replace(pronoun=True, stutter=0) if known else subject
 
 
 def lone(syntax: Syntax, phrase: Phrase) -> list[str]:

@@ -310,7 +310,7 @@ class Sentence(NamedTuple):
     sentence by themselves. `tag` is "auto" for a tag question that agrees ("isn't she?") or the
     words of a fixed one; a fragment takes none that agrees. `terminal` is the end mark; none
     given is "?" for a question, "!" for an exclamative and "." for all else. `false_start`
-    breaks off after the verb and starts again.
+    breaks off after the verb and starts again, with a pronoun for whom it has named.
     """
 
     body: Embedded | Phrase

@@ -144,6 +144,8 @@ def _soft_places(plan: SentencePlan, index: int, lexicon: Lexicon) -> set[str]:
         places.add("quantity")
     # Doubt belongs to judgements, not to plain neutral facts.
     free = clause.frame is None and HEDGED not in clause.marks and clause.polarity != "neutral"
+    # Nor to what is said with "even" or "always".
+    free = free and not clause.clause.adverbs
     if free and not clause.clause.quotation and not plan.afterthought:
         fronted = any(other.link in ("fronted", "relative") for other in plan.clauses)
         set_in_place = bool(clause.clause.preposed)  # "at the trial" is not when I think so
