@@ -84,7 +84,7 @@ def _joined(pair: Pair, cue: Marker, rng: OperatorDraws) -> Joint | None:
         return extend(
             turned.left, turned.right._replace(link="subordinate", cue=cue.text), cue.text
         )
-    if len(pair.left.clauses) > 1 or pair.link.fixed_order:
+    if len(pair.left.clauses) > 1 or pair.link.fixed_order or pair.left.openers:
         return None
     main = pair.right if introduced is pair.last else pair.last
     front = introduced._replace(link="fronted", cue=cue.text)
@@ -94,7 +94,8 @@ def _joined(pair: Pair, cue: Marker, rng: OperatorDraws) -> Joint | None:
 
 def _turned(pair: Pair) -> Pair | None:
     """Return the pair in the other order, if nothing before it or in it forbids that."""
-    if len(pair.left.clauses) > 1 or pair.link.fixed_order or pair.left.connective:
+    begun = pair.left.connective or pair.left.openers  # "But …" is said of what came first
+    if len(pair.left.clauses) > 1 or pair.link.fixed_order or begun:
         return None
     if not (plain(pair.last) and plain(pair.right)):
         return None

@@ -29,7 +29,7 @@ _TWICE = 0.01
 _BEFORE_ADJECTIVE = 0.5
 _MOST_MARKS = 1
 # Of the sentences that leave everybody cold, the share that can be exclaimed all the same.
-_PLAINLY_EXCLAIMED = 0.8
+_PLAINLY_EXCLAIMED = 0.9
 STUTTER = "stutter"
 
 
