@@ -13,7 +13,7 @@ from personage_lite.facts import Character, entity_of
 from personage_lite.lexicon import Marker
 from personage_lite.operators import Turn
 from personage_lite.plan import ClausePlan, ContentPlan, Made, SentencePlan, Status
-from personage_lite.realizer.specification import Text
+from personage_lite.realizer.specification import Cased, Text
 from personage_lite.sentence_planner import hedges, speech
 from personage_lite.sentence_planner.fitting import suits
 from personage_lite.sentence_planner.templates import lead_text, topic_told
@@ -135,8 +135,9 @@ def with_reaction(
         felt = {part.feeling for part in last.clauses if part.feeling}
         # "I love how …" is reaction enough; and nobody laughs at one half and weeps at the other.
         clear = clause.frame is None and felt == {clause.feeling}
-        # Nor does anybody say "Oh, I love him! … It's so sad!".
+        # Nor does anybody say "Oh, I love him! … It's so sad!", or "I love how …! It's so funny!".
         clear = clear and not (clause.feeling == "sad" and sentences[0].fragment is not None)
+        clear = clear and not any(_felt(sentence) for sentence in sentences)
         if clear and not asks and not hedges.doubtful(last):
             able = [m for m in turn.lexicon.markers["reaction"] if suits(m, clause)]
             words = {word for sentence in sentences for word in sentence.words}
@@ -145,6 +146,13 @@ def with_reaction(
                 sentences = [*sentences, _fragment(marker)]
                 status = "applied"
     return sentences, [("reaction", "pragmatic_markers", probability, draw, status, "", "", "")]
+
+
+def _felt(sentence: SentencePlan) -> bool:
+    """Whether a sentence announces, or says by its frame, what the speaker feels about it."""
+    if sentence.fragment is not None:
+        return not any(isinstance(part, Cased) for part in sentence.fragment.parts)
+    return any(clause.frame is not None for clause in sentence.clauses)
 
 
 def _fragment(marker: Marker) -> SentencePlan:
