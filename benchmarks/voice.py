@@ -15,9 +15,9 @@ import numpy as np
 from adaptation.storyteller.understanding import Understanding, names_of
 from adaptation.voice.measures import measured
 from adaptation.voice.recogniser import Recogniser, read_numbers
-from adaptation.voice.sound import Samples
 from adaptation.voice.spoken import spoken
 from adaptation.voice.voices import Espeak, Hibari, Voice
+from adaptation.wav import Samples
 from personage_lite import Generator
 
 TEXT = (

@@ -13,12 +13,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from adaptation.memory.names import checked_name
-from adaptation.memory.oblivious import Oblivious
 
 if TYPE_CHECKING:
     from adaptation.memory.store import SqlMemory
 
-__all__ = ["Oblivious", "checked_name", "open_memory"]
+__all__ = ["checked_name", "open_memory"]
 
 
 def open_memory(

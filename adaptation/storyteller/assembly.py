@@ -18,7 +18,7 @@ from adaptation.sensing.session import Watch
 from adaptation.sensing.supervisor import Supervisor
 from adaptation.storyteller.answers import ANSWER_KEYS, Typed
 from adaptation.storyteller.audience import Agreeable, Audience
-from adaptation.storyteller.clocks import FastClock, SimulatedClock, SystemClock
+from adaptation.storyteller.clocks import SimulatedClock, SystemClock
 from adaptation.storyteller.driver import Storyteller
 from adaptation.storyteller.learning import TalkLearner
 from adaptation.storyteller.pace import TextSpeaker, Voice
@@ -188,7 +188,7 @@ def header(
 def _clock(options: Options) -> Clock:
     if options.listener is None:
         return SystemClock()
-    return FastClock(options.speed) if options.speed else SimulatedClock()
+    return SystemClock(options.speed) if options.speed else SimulatedClock()
 
 
 def _text_speed(options: Options) -> float:

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 from personage_lite.errors import PersonageError, nearest, shown
 
 if TYPE_CHECKING:
-    from adaptation.memory.store import Known, SqlMemory
+    from adaptation.memory.reading import Known
+    from adaptation.memory.store import SqlMemory
 
 HELP = "erase everything about a listener from the storyteller's memory, or list the listeners"
 EXAMPLE = "personage-lite forget Anna"
