@@ -12,12 +12,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from adaptation.memory.faults import NoMemoryError
 from adaptation.memory.names import checked_name
 
 if TYPE_CHECKING:
     from adaptation.memory.store import SqlMemory
 
-__all__ = ["checked_name", "open_memory"]
+__all__ = ["NoMemoryError", "checked_name", "open_memory"]
 
 
 def open_memory(

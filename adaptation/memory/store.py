@@ -18,7 +18,7 @@ from sqlalchemy.exc import DBAPIError, SQLAlchemyError
 
 from adaptation.memory.engine import make_engine, writing
 from adaptation.memory.erasing import tidied
-from adaptation.memory.faults import fault_of, needed_packages
+from adaptation.memory.faults import NoMemoryError, fault_of, needed_packages
 from adaptation.memory.migrating import migrate
 from adaptation.memory.names import checked_name, key
 from adaptation.memory.places import found_place, is_missing, make_folder, shown_place
@@ -73,7 +73,7 @@ class SqlMemory:
         if make:
             make_folder(url)
         elif is_missing(url):
-            raise PersonageError(f"{shown_place(url)}: nothing is remembered there; check the path")
+            raise NoMemoryError(f"{shown_place(url)}: nothing is remembered there; check the path")
         with needed_packages():
             engine = make_engine(url, patience)
         memory = cls(engine, shown_place(url), learner)

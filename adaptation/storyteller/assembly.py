@@ -20,6 +20,7 @@ from adaptation.storyteller.answers import ANSWER_KEYS, Typed
 from adaptation.storyteller.audience import Agreeable, Audience
 from adaptation.storyteller.clocks import SimulatedClock, SystemClock
 from adaptation.storyteller.driver import Storyteller
+from adaptation.storyteller.kept_logs import KeptLog
 from adaptation.storyteller.learning import TalkLearner
 from adaptation.storyteller.pace import TextSpeaker, Voice
 from adaptation.storyteller.parts import Parts, Settings, Summary
@@ -73,7 +74,7 @@ class Outside:
     typed: tuple[int, bool]
     wall: Callable[[], float]
     say: Callable[[str], None]
-    log: SessionLog | NoLog = field(default_factory=NoLog)
+    log: SessionLog | KeptLog | NoLog = field(default_factory=NoLog)
     memory: Memory | None = None
     voice: Callable[[Clock, Speaker], Voice] | None = None
     hears: Callable[[Clock, Ear], Ear] | None = None

@@ -102,6 +102,11 @@ class Console:
     # What is shown
 
     @property
+    def drawn(self) -> bool:
+        """Whether the terminal is taken, so that nothing else may write to it."""
+        return self._open
+
+    @property
     def busy(self) -> bool:
         """Whether a text is appearing."""
         return bool(self._text)

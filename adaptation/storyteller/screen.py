@@ -36,6 +36,11 @@ class Screen(Protocol):
         """Whether a text is appearing."""
         ...
 
+    @property
+    def drawn(self) -> bool:
+        """Whether the terminal is taken, so that nothing else may write to it."""
+        ...
+
     def skip(self) -> None:
         """Let the present text appear at once."""
         ...
@@ -101,6 +106,7 @@ class PlainScreen:
         self._text = ""
         self._shown = 0
         self.skipped = False
+        self.drawn = False
 
     @property
     def busy(self) -> bool:
