@@ -68,6 +68,7 @@ class Outside:
 
     `screen` is made when what has been typed is known; `typed` is the descriptor of typed
     answers and whether it gives every key at once; `voice` and `hears` are made with the clock.
+    `clock` is for another one than the options ask for.
     """
 
     screen: Callable[[Callable[[], str]], Screen]
@@ -78,6 +79,7 @@ class Outside:
     memory: Memory | None = None
     voice: Callable[[Clock, Speaker], Voice] | None = None
     hears: Callable[[Clock, Ear], Ear] | None = None
+    clock: Clock | None = None
 
 
 class _Hooks:
@@ -103,7 +105,7 @@ def run_session(generator: Generator, options: Options, outside: Outside) -> Sum
     """
     characters = chosen(generator, options.characters)
     hooks = _Hooks()
-    clock = Ticker(_clock(options), hooks.tick, hooks.frame)
+    clock = Ticker(outside.clock or _clock(options), hooks.tick, hooks.frame)
     understanding = Understanding(generator.dialog.heard, names_of(characters))
     typed = _typed(outside, clock, generator)
     with ExitStack() as stack:

@@ -135,7 +135,7 @@ class Console:
     def cut(self) -> None:
         """Nothing is to be done: the whole text stands there."""
 
-    def heard(self, text: str) -> None:
+    def heard(self, text: str, typed: bool = False) -> None:
         """Show an answer."""
         self._keep("heard", text)
 

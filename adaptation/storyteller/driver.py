@@ -172,7 +172,7 @@ class Storyteller:
             speaking=self._speaking,
             remark=evidence,
         )
-        parts.screen.heard(answer.text)
+        parts.screen.heard(answer.text, answer.source == "typed")
         if remark is not None:
             self._show()
             if meaning.sense not in ("yes", "no"):

@@ -83,7 +83,7 @@ def run(arguments: argparse.Namespace) -> None:
     from personage_lite.cli.live_outside import outside_of
 
     with _own_stderr() as say, ExitStack() as stack:
-        options = _options(arguments)
+        options = options_of(arguments)
         generator = generator_for(arguments.facts)
         if options.listener is None:
             _hint(arguments, options, say)
@@ -103,7 +103,8 @@ def generator_for(facts: str | None) -> Generator:
     return Generator(facts=join(data_folder("facts"), "wonderland") if facts is None else facts)
 
 
-def _options(arguments: argparse.Namespace) -> Options:
+def options_of(arguments: argparse.Namespace) -> Options:
+    """Return what the command line asks for; raises `PersonageError` for what cannot be."""
     from adaptation.learners import LEARNERS
     from adaptation.storyteller.assembly import Options
     from personage_lite.speech_acts import checked_name
