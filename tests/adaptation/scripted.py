@@ -12,10 +12,9 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from adaptation.memory.store import SqlMemory
 from adaptation.storyteller.assembly import Outside, run_session
 from adaptation.storyteller.clocks import SimulatedClock
-from adaptation.storyteller.protocols import Clock, Ear, EndOfInput, Heard
+from adaptation.storyteller.protocols import Clock, Ear, EndOfInput, Heard, Memory
 from adaptation.storyteller.screen import PlainScreen, Screen
 from adaptation.storyteller.session_log import SessionLog
 from personage_lite.cli import live
@@ -99,7 +98,7 @@ def told(
     script: Sequence[Answer],
     log: Path,
     *,
-    memory: SqlMemory | None = None,
+    memory: Memory | None = None,
     wall: float = 1_800_000_000.0,
     **parts: Any,
 ) -> Shown:
