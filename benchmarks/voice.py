@@ -107,7 +107,7 @@ def recognition() -> None:
     for title, found in (("chosen on", chosen_by), ("held out", held_out)):
         print(f"\n{title}: {len(found)} clips")
         print("threshold  right  wrong  rejected  of answers   accepted  of others")
-        for threshold in (-30, -27, -24, -21, -18):
+        for threshold in sorted({-30, -27, -24, -21, -18, best}):
             print(f"{threshold:9}  {_row(found, threshold)}")
         for name in dict.fromkeys(row.speaker for row in found):
             one = [row for row in found if row.speaker == name]

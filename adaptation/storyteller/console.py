@@ -22,9 +22,9 @@ _HIDE, _SHOW, _CLEAR = "\x1b[?25l", "\x1b[?25h", "\x1b[0m\x1b[2J"
 _PROMPT = "> "
 # So many texts are kept to be drawn again, and for the end.
 _KEPT = 2000
-_WAITING = "Enter: yes   Tab: somebody else   or a name   Esc: pause   Ctrl-D: quit"
-_TELLING = "Space: skip   Tab: somebody else   or a name   Esc: pause   + -: engaged or not"
-_PAUSED = "Esc: go on   or a name   Ctrl-D: quit"
+_WAITING = ("Enter: yes", "Tab: somebody else", "or a name", "Esc: pause", "Ctrl-D: quit")
+_TELLING = ("Space: skip", "Tab: somebody else", "or a name", "Esc: pause", "+ -: like it or not")
+_PAUSED = ("Esc: go on", "or a name", "Ctrl-D: quit")
 
 
 class Console:
@@ -192,8 +192,13 @@ class Console:
 
     def _hint(self, columns: int) -> str:
         phase = self._status.phase if self._status is not None else ""
-        hint = _PAUSED if phase == "paused" else _TELLING if phase == "telling" else _WAITING
-        return hint[: columns - 4]
+        hints: tuple[str, ...] = (
+            _PAUSED if phase == "paused" else _TELLING if phase == "telling" else _WAITING
+        )
+        # As many as have room, each whole.
+        while len("   ".join(hints)) > columns - 4:
+            hints = hints[:-1]
+        return "   ".join(hints)
 
     def _dim(self, text: str) -> str:
         return dim(text) if self._colour else text

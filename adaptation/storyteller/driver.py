@@ -172,13 +172,19 @@ class Storyteller:
             speaking=self._speaking,
             remark=evidence,
         )
-        parts.screen.heard(answer.text, answer.source == "typed")
+        parts.screen.heard(self._shown(answer, meaning), answer.source == "typed")
         if remark is not None:
             self._show()
             if meaning.sense not in ("yes", "no"):
                 return None  # "yes, great!" is both
         self._answers.append((answer, meaning))
         return meaning
+
+    def _shown(self, answer: Answer, meaning: Meaning) -> str:
+        """Return an answer as it is shown: the key that paused goes on when it is struck again."""
+        if self._dialog.phase == "paused" and meaning.sense == "pause":
+            return self._parts.generator.dialog.heard["resume"][0]
+        return answer.text
 
     def _remark(self, text: str, meaning: Meaning) -> Remark | None:
         """Return what an answer says of the telling, unless it says what is to be done."""
@@ -213,6 +219,7 @@ class Storyteller:
         utterance = self._prepared.get(character, move.x, self._state)
         state, self._state = self._state, utterance.state
         self._spoken = move.x
+        self._show()
         self._prepared.expect(character, move.x, utterance.state)
         before, began = parts.senses.begin(), parts.clock.now()
         pause = None if self._last_end is None else began - self._last_end
@@ -280,7 +287,7 @@ class Storyteller:
             Status(
                 phase=self._dialog.phase,
                 topic=parts.stories.name(topic) if topic else "",
-                x=parts.talk.x,
+                x=parts.talk.x if self._spoken is None else self._spoken,
                 engagement=parts.senses.engagement,
                 belief=belief(parts.talk.learner),
                 turns=self.summary.turns,

@@ -85,8 +85,6 @@ def run(arguments: argparse.Namespace) -> None:
     with _own_stderr() as say, ExitStack() as stack:
         options = options_of(arguments)
         generator = generator_for(arguments.facts)
-        if options.listener is None:
-            _hint(arguments, options, say)
         outside = outside_of(arguments, options, say, stack)
         from adaptation.storyteller.assembly import run_session
 
@@ -211,16 +209,6 @@ def _speed(text: str) -> float:
     if not 0 <= speed <= 1000:
         raise PersonageError(f"--speed is '{shown(text)}'; give a number from 0 (at once) to 1000")
     return speed
-
-
-def _hint(arguments: argparse.Namespace, options: Options, say: Callable[[str], None]) -> None:
-    """Say at the start what more there is."""
-    if arguments.sensor or arguments.name:
-        return
-    if options.sensors:
-        say("press + when you like it and - when not; more: --name YOU, --sensor camera, --speak")
-    else:
-        say("nobody watches you, so nothing is learned; more: --name YOU, --sensor camera, --speak")
 
 
 def _account(

@@ -35,8 +35,18 @@ def outside_of(
     lines = Lines(say)
     log = _log(arguments.log, lines.say)
     stack.callback(log.close)
+    hint = _hint(arguments, options)
+
+    def screen(line: Callable[[], str]) -> Screen:
+        made = lines.follow(_screen(drawn, line))
+        if hint and drawn:
+            made.note(hint)  # where it can be read: what was there before is hidden
+        elif hint:
+            say(hint)
+        return made
+
     outside = Outside(
-        screen=lambda line: lines.follow(_screen(drawn, line)),
+        screen=screen,
         typed=(sys.stdin.fileno(), drawn),
         wall=time.time,
         say=lines.say,
@@ -135,3 +145,13 @@ def _screen(drawn: bool, line: Callable[[], str]) -> Screen:
     from adaptation.storyteller.screen import PlainScreen
 
     return PlainScreen(sys.stdout, letters=sys.stdout.isatty())
+
+
+def _hint(arguments: argparse.Namespace, options: Options) -> str:
+    """Return what more there is, for who has asked for nothing of it."""
+    if arguments.sensor or arguments.name or options.listener is not None:
+        return ""
+    more = "more: --name YOU, --sensor camera, --speak"
+    if options.sensors:
+        return f"press + when you like it and - when not; {more}"
+    return f"nobody watches you, so nothing is learned; {more}"

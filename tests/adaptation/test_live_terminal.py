@@ -66,7 +66,7 @@ def test_no_row_is_longer_than_the_terminal_and_no_colour_is_needed(tmp_path: Pa
 def test_a_signal_at_any_moment(tmp_path: Path, wait: float, number: signal.Signals) -> None:
     log = tmp_path / "log.jsonl"
     child = start(tmp_path, "--speed", "5", "--log", str(log))
-    child.expect("personage-lite: press")
+    child.expect("press \\+ when you like it")
     before = termios.tcgetattr(child.child_fd)[3] & (termios.ECHO | termios.ICANON)
     if wait:
         child.expect("Enter: yes")
