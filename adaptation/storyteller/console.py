@@ -23,7 +23,7 @@ _PROMPT = "> "
 # So many texts are kept to be drawn again, and for the end.
 _KEPT = 2000
 _WAITING = ("Enter: yes", "Tab: somebody else", "or a name", "Esc: pause", "Ctrl-D: quit")
-_TELLING = ("Space: skip", "Tab: somebody else", "or a name", "Esc: pause", "+ -: like it or not")
+_TELLING = ("Space: skip", "Tab: somebody else", "or a name", "Esc: pause", "+ -: like it?")
 _PAUSED = ("Esc: go on", "or a name", "Ctrl-D: quit")
 
 
@@ -192,9 +192,9 @@ class Console:
 
     def _hint(self, columns: int) -> str:
         phase = self._status.phase if self._status is not None else ""
-        hints: tuple[str, ...] = (
-            _PAUSED if phase == "paused" else _TELLING if phase == "telling" else _WAITING
-        )
+        hints: tuple[str, ...] = _WAITING
+        if phase in ("paused", "telling"):
+            hints = _PAUSED if phase == "paused" else _TELLING
         # As many as have room, each whole.
         while len("   ".join(hints)) > columns - 4:
             hints = hints[:-1]

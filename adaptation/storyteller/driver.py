@@ -29,7 +29,7 @@ from adaptation.storyteller.parts import Parts, Settings, Summary, Times, turn_r
 from adaptation.storyteller.prepared import Prepared
 from adaptation.storyteller.protocols import EndOfInput
 from adaptation.storyteller.protocols import Heard as Answer
-from adaptation.storyteller.remarks import Remark, heed
+from adaptation.storyteller.remarks import Remark, as_answer, heed
 from adaptation.storyteller.screen import Status
 from adaptation.storyteller.senses import Sensed
 from adaptation.storyteller.ticking import CutShort, Interrupted
@@ -158,9 +158,8 @@ class Storyteller:
         prefer: tuple[Sense, ...] = ("resume",) if self._dialog.phase == "paused" else ()
         meaning = parts.understanding.meaning(answer.text, prefer)
         remark = self._remark(answer.text, meaning)
-        if remark is not None and self._dialog.phase == "waiting" and remark.kind == "praise":
-            # "Great!" to a suggestion accepts it.
-            meaning, remark = Meaning("yes"), None
+        if remark is not None and self._dialog.phase == "waiting":
+            meaning, remark = as_answer(remark, meaning, told=self._spoken is not None)
         evidence = None if remark is None else self._heed(remark, answer.confidence)
         self._write(
             "heard",

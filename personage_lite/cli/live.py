@@ -224,4 +224,5 @@ def _account(
         return
     if log.path and os.path.exists(log.path):
         again = shlex.join(("live", "--replay", str(log.path)))
-        say(f"{summary.turns} utterances; say them again: {again}")
+        count = f"{summary.turns} utterance{'s' * (summary.turns != 1)}"
+        say(f"{count}; say them again: {again}")

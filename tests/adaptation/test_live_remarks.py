@@ -104,6 +104,7 @@ def test_praise_keeps_and_blame_leaves_an_x(tmp_path: Path) -> None:
         ["who", "nonsense", "no", "yes"],
         ["pause", "go on", "yes please"],
         ["great", "no"],
+        ["boring", "yes"],
     ],
 )
 @pytest.mark.parametrize("learner", ["bayes", "q-learning"])
@@ -127,6 +128,13 @@ def test_a_refusal_in_the_middle_of_speech_is_no_evidence(tmp_path: Path) -> Non
     assert not [line for line in refused.of("heard") if line["remark"]]
     assert [turn["character"] for turn in refused.of("turn")][:3] == ["alice", "alice", "hatter"]
     assert all(turn["belief"]["preference"] == [0.2] * 5 for turn in refused.of("turn"))
+
+
+def test_a_suggestion_is_accepted_by_praise_and_refused_by_blame(tmp_path: Path) -> None:
+    shown = talk(tmp_path, Answer("boring"), Answer("great"))
+    assert [line["sense"] for line in shown.of("heard")] == ["no", "yes"]
+    refused, accepted = (say["character"] for say in shown.of("say") if say["character"])
+    assert {turn["character"] for turn in shown.of("turn")} == {accepted} != {refused}
 
 
 def test_a_remark_weighs_beside_what_is_sensed_and_is_replayed(tmp_path: Path) -> None:
