@@ -35,7 +35,7 @@ def outside_of(
     lines = Lines(say)
     log = _log(arguments.log, lines.say)
     stack.callback(log.close)
-    hint = _hint(arguments, options)
+    hint = _hint(arguments, options, drawn)
 
     def screen(line: Callable[[], str]) -> Screen:
         made = lines.follow(_screen(drawn, line))
@@ -147,11 +147,12 @@ def _screen(drawn: bool, line: Callable[[], str]) -> Screen:
     return PlainScreen(sys.stdout, letters=sys.stdout.isatty())
 
 
-def _hint(arguments: argparse.Namespace, options: Options) -> str:
+def _hint(arguments: argparse.Namespace, options: Options, drawn: bool) -> str:
     """Return what more there is, for who has asked for nothing of it."""
     if arguments.sensor or arguments.name or options.listener is not None:
         return ""
     more = "more: --name YOU, --sensor camera, --speak"
     if options.sensors:
-        return f"press + when you like it and - when not; {more}"
+        how = "press +" if drawn else "type + and Enter"
+        return f"{how} when you like it and - when not; {more}"
     return f"nobody watches you, so nothing is learned; {more}"
