@@ -12,12 +12,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from adaptation.memory.oblivious import Oblivious
+from adaptation.memory.faults import NoMemoryError
 
 if TYPE_CHECKING:
     from adaptation.memory.store import SqlMemory
 
-__all__ = ["Oblivious", "open_memory"]
+__all__ = ["NoMemoryError", "open_memory"]
 
 
 def open_memory(

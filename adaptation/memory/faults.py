@@ -44,6 +44,10 @@ _POSTGRES = {
 }
 
 
+class NoMemoryError(PersonageError):
+    """There is no database at the place that was named."""
+
+
 def fault_of(error: DBAPIError, place: str) -> PersonageError:
     """Return a fault of the database as one line; `place` is how it is named."""
     what, remedy = _reason(error.orig)

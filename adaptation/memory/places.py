@@ -10,6 +10,7 @@ from pathlib import Path
 from sqlalchemy.engine import URL, make_url
 from sqlalchemy.exc import ArgumentError
 
+from adaptation.user_folder import make_private, user_folder
 from personage_lite.errors import PersonageError, shown
 
 FILE = "listeners.sqlite"
@@ -17,19 +18,12 @@ _HOW = "give a file, sqlite:///PATH or postgresql://USER@HOST/DATABASE"
 
 
 def usual_place(environment: Mapping[str, str] = os.environ, platform: str = sys.platform) -> Path:
-    """Return the user's own file: in the folder where the system keeps users' data.
-
-    `$XDG_DATA_HOME/personage-lite/listeners.sqlite`, by default under `~/.local/share`; on
-    Windows under `%LOCALAPPDATA%`.
+    """Return the user's own file; see `adaptation.user_folder`.
 
     >>> usual_place({"XDG_DATA_HOME": "/data"}, "linux").as_posix()
     '/data/personage-lite/listeners.sqlite'
     """
-    named = environment.get("LOCALAPPDATA" if platform == "win32" else "XDG_DATA_HOME", "")
-    if not os.path.isabs(named):  # as the XDG specification says: then it counts as not given
-        home = environment.get("HOME") or str(Path.home())
-        named = os.path.join(home, ".local", "share")
-    return Path(named) / "personage-lite" / FILE
+    return user_folder(environment, platform) / FILE
 
 
 def found_place(where: str | None) -> URL:
@@ -83,7 +77,7 @@ def make_folder(url: URL) -> None:
     if url.database == str(usual_place()):
         folder = usual_place().parent
         try:
-            folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+            make_private(folder)
         except OSError as error:
             raise PersonageError(
                 f"{folder}: cannot be made ({error.strerror}); give --memory another place"

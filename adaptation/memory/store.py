@@ -18,12 +18,12 @@ from sqlalchemy.exc import DBAPIError, SQLAlchemyError
 
 from adaptation.memory.engine import make_engine, writing
 from adaptation.memory.erasing import tidied
-from adaptation.memory.faults import fault_of, needed_packages
-from adaptation.memory.knowledge import known_of
+from adaptation.memory.faults import NoMemoryError, fault_of, needed_packages
 from adaptation.memory.migrating import migrate
 from adaptation.memory.names import key
 from adaptation.memory.places import found_place, is_missing, make_folder, shown_place
-from adaptation.memory.records import read_record, written_record
+from adaptation.memory.reading import Known, read_acquaintance, read_listeners, read_turns
+from adaptation.memory.records import written_record
 from adaptation.memory.schema import EPISODE, LISTENER, TOLD, TURN
 from adaptation.storyteller.protocols import Acquaintance
 from personage_lite.errors import PersonageError, shown
@@ -31,16 +31,6 @@ from personage_lite.names import checked_name
 
 Told = Mapping[str, Mapping[str, int]]
 _Result = TypeVar("_Result")
-
-
-class Known(NamedTuple):
-    """A line of the list of listeners; `last_seen` in epoch seconds."""
-
-    name: str
-    episodes: int
-    turns: int
-    facts: int
-    last_seen: float | None
 
 
 class Erased(NamedTuple):
@@ -84,7 +74,7 @@ class SqlMemory:
         if make:
             make_folder(url)
         elif is_missing(url):
-            raise PersonageError(f"{shown_place(url)}: nothing is remembered there; check the path")
+            raise NoMemoryError(f"{shown_place(url)}: nothing is remembered there; check the path")
         with needed_packages():
             engine = make_engine(url, patience)
         memory = cls(engine, shown_place(url), learner)
@@ -206,39 +196,14 @@ class SqlMemory:
 
     def listeners(self) -> list[Known]:
         """Return who is known, by name."""
-        turns = select(func.coalesce(func.sum(EPISODE.c.turns), 0))
-        episodes = select(func.count()).select_from(EPISODE)
-        facts = select(func.count()).select_from(TOLD)
-        query = select(
-            LISTENER.c.name,
-            episodes.where(EPISODE.c.listener == LISTENER.c.id).scalar_subquery(),
-            turns.where(EPISODE.c.listener == LISTENER.c.id).scalar_subquery(),
-            facts.where(TOLD.c.listener == LISTENER.c.id).scalar_subquery(),
-            LISTENER.c.last_seen,
-        )
-        found = self._transaction(
-            lambda connection: [Known(*row) for row in connection.execute(query)], writes=False
-        )
-        return sorted(found, key=lambda known: key(known.name))
+        return self._transaction(read_listeners, writes=False)
 
     def turns(self, name: str) -> list[list[dict[str, Any]]]:
         """Return the turns' records of each episode with a listener, the first one first."""
         found = key(name)
-        query = (
-            select(EPISODE.c.number, TURN.c.record)
-            .join(LISTENER, EPISODE.c.listener == LISTENER.c.id)
-            .outerjoin(TURN, TURN.c.episode == EPISODE.c.id)
-            .where(LISTENER.c.key == found)
-            .order_by(EPISODE.c.number, TURN.c.number)
+        return self._transaction(
+            lambda connection: read_turns(connection, found, self.place), writes=False
         )
-        episodes: dict[int, list[dict[str, Any]]] = {}
-        for number, record in self._transaction(
-            lambda connection: connection.execute(query).all(), writes=False
-        ):
-            kept = episodes.setdefault(number, [])
-            if record is not None:
-                kept.append(read_record(record, self.place))
-        return list(episodes.values())
 
     def close(self) -> None:
         """Give the database back."""
@@ -255,15 +220,7 @@ class SqlMemory:
         ).one()
 
     def _acquaintance(self, connection: Connection, row: Any) -> Acquaintance:
-        told: dict[str, dict[str, int]] = {}
-        query = select(TOLD.c.character, TOLD.c.fact, TOLD.c.times)
-        ordered = query.where(TOLD.c.listener == row.id).order_by(TOLD.c.character, TOLD.c.fact)
-        for character, fact, times in connection.execute(ordered):
-            told.setdefault(character, {})[fact] = times
-        count = select(func.count()).select_from(EPISODE).where(EPISODE.c.listener == row.id)
-        episodes = connection.execute(count).scalar_one()
-        knowledge = known_of(connection, row.id, self._learner, self.place)
-        return Acquaintance(row.name, episodes, told, knowledge, row.last_seen)
+        return read_acquaintance(connection, row, self._learner, self.place)
 
     def _tell(self, connection: Connection, session: _Session, told: Told) -> None:
         """Keep the counts that have grown, each the larger one of ours and the database's."""

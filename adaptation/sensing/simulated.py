@@ -51,10 +51,10 @@ _SURE, _SPREAD, _MISSING = 0.85, 12.0, 0.03
 class Simulated:
     """A listener with a preference, seen through a sensor that errs.
 
-    `hear` says with which X an utterance begins; while it lasts (4 to 12 s, as `live` has it) the
-    true E runs as the listener says: in real time for a live one, evenly for others. `talk`
-    returns the X of the next utterance, given the last one, when nobody says otherwise; None: E
-    rests. All chance comes from `random`.
+    `hear` says with which X an utterance begins; while it lasts (until `settle`, or 4 to 12 s, as
+    `live` has it) the true E runs as the listener says: in real time for a live one, evenly for
+    others. `prefer` lets the listener like another X. `talk` returns the X of the next utterance,
+    given the last one, when nobody says otherwise; None: E rests. All chance comes from `random`.
     """
 
     name = "simulated"
@@ -85,6 +85,11 @@ class Simulated:
         """The true E now."""
         return float(self._true[0])
 
+    @property
+    def listener(self) -> str:
+        """The listener's name in the registry."""
+        return self._hearer.name
+
     def start(self) -> None:
         """Begin to watch."""
         self._sample = None
@@ -92,8 +97,16 @@ class Simulated:
     def stop(self) -> None:
         """Nothing is held."""
 
-    def hear(self, x: int) -> None:
-        """Let the listener hear an utterance with `x`, -2 to 2, from now on."""
+    def prefer(self, preference: int) -> None:
+        """Let the listener like another X, -2 to 2, from the next utterance on."""
+        self._preference = np.array([preference])
+
+    def hear(self, x: int, seconds: float | None = None) -> None:
+        """Let the listener hear an utterance with `x`, -2 to 2, from now on.
+
+        It takes so many seconds; without them as long as `live` has it. Who answers in real time
+        goes on answering until it is over (`settle`), but no longer than `live` has it.
+        """
         before, now = np.array([self._x]), np.array([x])
         if is_live(self._hearer):
             course = cast("LiveListener", self._hearer).listen(self._true, now, self._preference)
@@ -102,10 +115,17 @@ class Simulated:
             hearer = cast("Listener", self._hearer)
             draws = self._random.random((hearer.draws, 1))
             after = hearer.respond(self._true, now, before, self._preference, draws)
-            count = int(samples_of(now)[0])
+            usual = int(samples_of(now)[0])
+            count = usual if seconds is None else max(1, round(seconds / SAMPLE_SECONDS))
             steps = np.linspace(self._true[0], after[0], count + 1)
             self._path = [float(value) for value in steps[1:]]
         self._x = x
+
+    def settle(self) -> None:
+        """Take note that the utterance is over; who answers in steps has answered now."""
+        if self._path and not is_live(self._hearer):
+            self._true = np.array([self._path[-1]])
+        self._path = []
 
     def read(self) -> CueReading:
         """Return what a sensor would say now."""

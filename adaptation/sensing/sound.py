@@ -5,19 +5,17 @@ Sound stays in memory, and only until it has been listened to.
 
 from __future__ import annotations
 
-import wave
 from collections import deque
 from collections.abc import Iterator
-from typing import Any, Protocol, TypeAlias
+from typing import Any, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from adaptation.sensing.cues import EndOfCues
 from adaptation.sensing.setup import needs
+from adaptation.wav import Samples, read_wav
 from personage_lite.errors import PersonageError
 
-Samples: TypeAlias = NDArray[np.float64]
 # What the detector of voices takes: 16 kHz, one channel, 16 bits, 512 samples at a time.
 RATE, CHUNK = 16_000, 512
 CHUNK_SECONDS = CHUNK / RATE
@@ -50,7 +48,7 @@ class WavFile:
 
     def open(self) -> None:
         """Read the file."""
-        self._sound = read_wav(self._path)
+        self._sound = sound_of(self._path)
         self._began, self._given = None, 0
 
     def chunks(self, now: float) -> Iterator[bytes]:
@@ -130,43 +128,20 @@ def source_of(text: str | None) -> SoundSource:
     return WavFile(text)
 
 
-def read_wav(path: str) -> bytes:
+def sound_of(path: str) -> bytes:
     """Return the sound of a WAV file as the detector takes it, whole chunks of it.
 
     Raises `PersonageError` for what is no such file.
     """
-    try:
-        with wave.open(path, "rb") as file:
-            channels, width, rate = file.getnchannels(), file.getsampwidth(), file.getframerate()
-            content = file.readframes(file.getnframes())
-    except OSError as error:
-        raise PersonageError(f"{path}: cannot be read ({error.strerror}); check the path") from None
-    except (wave.Error, EOFError) as error:
-        reason = str(error) or "it ends too soon"
-        raise PersonageError(f"{path}: no WAV file ({reason}); give one of PCM samples") from None
-    if not rate or not channels:
-        raise PersonageError(f"{path}: no WAV file (no rate or channels); give one of PCM samples")
-    content = content[: len(content) // (width * channels) * width * channels]
-    samples = _resampled(_decoded(content, width).reshape(-1, channels).mean(axis=1), rate)
+    samples = _resampled(*read_wav(path))
     rest = -len(samples) % CHUNK
     whole = np.rint(np.concatenate((samples, np.zeros(rest))) * 32767)
     sound: bytes = whole.clip(-32768, 32767).astype("<i2").tobytes()
     return sound
 
 
-def _decoded(content: bytes, width: int) -> Samples:
-    """Return PCM samples of 1 to 4 bytes as numbers from -1 to 1."""
-    raw = np.frombuffer(content, dtype=np.uint8).reshape(-1, width)
-    if width == 1:
-        return (raw[:, 0].astype(np.float64) - 128) / 128
-    # The highest bytes of 32 bits, little end first.
-    padded = np.zeros((len(raw), 4), dtype=np.uint8)
-    padded[:, 4 - width :] = raw
-    samples: Samples = padded.view("<i4")[:, 0].astype(np.float64) / 2**31
-    return samples
-
-
 def _resampled(samples: Samples, rate: int) -> Samples:
+    """Return the sound at the detector's rate, in memory that grows with its length alone."""
     if rate == RATE or not len(samples):
         return samples
     if rate > RATE:

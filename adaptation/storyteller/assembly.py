@@ -18,8 +18,9 @@ from adaptation.sensing.session import Watch
 from adaptation.sensing.supervisor import Supervisor
 from adaptation.storyteller.answers import ANSWER_KEYS, Typed
 from adaptation.storyteller.audience import Agreeable, Audience
-from adaptation.storyteller.clocks import FastClock, SimulatedClock, SystemClock
+from adaptation.storyteller.clocks import SimulatedClock, SystemClock
 from adaptation.storyteller.driver import Storyteller
+from adaptation.storyteller.kept_logs import KeptLog
 from adaptation.storyteller.learning import TalkLearner
 from adaptation.storyteller.pace import TextSpeaker, Voice
 from adaptation.storyteller.parts import Parts, Settings, Summary
@@ -67,16 +68,18 @@ class Outside:
 
     `screen` is made when what has been typed is known; `typed` is the descriptor of typed
     answers and whether it gives every key at once; `voice` and `hears` are made with the clock.
+    `clock` is for another one than the options ask for.
     """
 
     screen: Callable[[Callable[[], str]], Screen]
     typed: tuple[int, bool]
     wall: Callable[[], float]
     say: Callable[[str], None]
-    log: SessionLog | NoLog = field(default_factory=NoLog)
+    log: SessionLog | KeptLog | NoLog = field(default_factory=NoLog)
     memory: Memory | None = None
     voice: Callable[[Clock, Speaker], Voice] | None = None
     hears: Callable[[Clock, Ear], Ear] | None = None
+    clock: Clock | None = None
 
 
 class _Hooks:
@@ -102,7 +105,7 @@ def run_session(generator: Generator, options: Options, outside: Outside) -> Sum
     """
     characters = chosen(generator, options.characters)
     hooks = _Hooks()
-    clock = Ticker(_clock(options), hooks.tick, hooks.frame)
+    clock = Ticker(outside.clock or _clock(options), hooks.tick, hooks.frame)
     understanding = Understanding(generator.dialog.heard, names_of(characters))
     typed = _typed(outside, clock, generator)
     with ExitStack() as stack:
@@ -188,7 +191,7 @@ def header(
 def _clock(options: Options) -> Clock:
     if options.listener is None:
         return SystemClock()
-    return FastClock(options.speed) if options.speed else SimulatedClock()
+    return SystemClock(options.speed) if options.speed else SimulatedClock()
 
 
 def _text_speed(options: Options) -> float:

@@ -11,9 +11,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from adaptation.draws import Draws
-from adaptation.experiment import is_live
 from adaptation.listeners import Listener, LiveListener
-from adaptation.problem import SAMPLE_SECONDS
 from adaptation.schedule import drawn_levels, preferences
 from adaptation.sensing.simulated import Simulated
 from adaptation.storyteller.protocols import Clock, Ear, Heard
@@ -55,26 +53,13 @@ class Audience(Simulated):
 
     def listen_to(self, x: int, seconds: float) -> None:
         """Hear an utterance with `x` that takes so many seconds, from now on."""
-        self._preference = np.array([self.preference])
-        self.hear(x)
-        if not is_live(self._hearer):
-            # `hear` has laid E out over the usual length; this one has a length of its own.
-            count = max(1, round(seconds / SAMPLE_SECONDS))
-            steps = np.linspace(self.engagement, self._path[-1], count + 1)
-            self._path = [float(value) for value in steps[1:]]
-        self._ends_at = self._path[-1]
+        self.prefer(self.preference)
+        self.hear(x, seconds)
 
     def heard_all(self) -> None:
-        """Take note that the utterance is over; who answers in steps has answered."""
-        if not is_live(self._hearer):
-            self._true = np.array([self._ends_at])
-        self._path = []
+        """Take note that the utterance is over."""
+        self.settle()
         self._utterances += 1
-
-    @property
-    def kind(self) -> str:
-        """The listener's name in the registry."""
-        return self._hearer.name
 
 
 class Agreeable:

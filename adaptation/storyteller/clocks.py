@@ -1,4 +1,4 @@
-"""Clocks: the real one, a faster one, and one that only moves when somebody sleeps."""
+"""Clocks: the real one, also faster, and one that only moves when somebody sleeps."""
 
 from __future__ import annotations
 
@@ -6,16 +6,22 @@ import time
 
 
 class SystemClock:
-    """Real seconds, since an unspecified moment."""
+    """Real seconds, since an unspecified moment, `speed` times as fast.
+
+    A simulated listener does not mind another speed than 1; a person would.
+    """
+
+    def __init__(self, speed: float = 1.0) -> None:
+        self._speed = speed
 
     def now(self) -> float:
-        """Return the monotonic time in seconds."""
-        return time.monotonic()
+        """Return the monotonic time in seconds, times the speed."""
+        return time.monotonic() * self._speed
 
     def sleep(self, seconds: float) -> None:
-        """Wait so many seconds; none for a negative number."""
+        """Wait so many of these seconds; none for a negative number."""
         if seconds > 0:
-            time.sleep(seconds)
+            time.sleep(seconds / self._speed)
 
 
 class SimulatedClock:
@@ -37,19 +43,3 @@ class SimulatedClock:
     def sleep(self, seconds: float) -> None:
         """Let so many seconds pass at once; none for a negative number."""
         self._now += max(0.0, seconds)
-
-
-class FastClock:
-    """Real seconds that run some times as fast: for a simulated listener, who doesn't mind."""
-
-    def __init__(self, speed: float) -> None:
-        self._speed = speed
-
-    def now(self) -> float:
-        """Return the monotonic time in seconds, times the speed."""
-        return time.monotonic() * self._speed
-
-    def sleep(self, seconds: float) -> None:
-        """Wait so many of these seconds; none for a negative number."""
-        if seconds > 0:
-            time.sleep(seconds / self._speed)

@@ -22,9 +22,9 @@ _HIDE, _SHOW, _CLEAR = "\x1b[?25l", "\x1b[?25h", "\x1b[0m\x1b[2J"
 _PROMPT = "> "
 # So many texts are kept to be drawn again, and for the end.
 _KEPT = 2000
-_WAITING = "Enter: yes   Tab: somebody else   or a name   Esc: pause   Ctrl-D: quit"
-_TELLING = "Space: skip   Tab: somebody else   or a name   Esc: pause   + -: engaged or not"
-_PAUSED = "Esc: go on   or a name   Ctrl-D: quit"
+_WAITING = ("Enter: yes", "Tab: somebody else", "or a name", "Esc: pause", "Ctrl-D: quit")
+_TELLING = ("Space: skip", "Tab: somebody else", "or a name", "Esc: pause", "+ -: like it?")
+_PAUSED = ("Esc: go on", "or a name", "Ctrl-D: quit")
 
 
 class Console:
@@ -102,6 +102,11 @@ class Console:
     # What is shown
 
     @property
+    def drawn(self) -> bool:
+        """Whether the terminal is taken, so that nothing else may write to it."""
+        return self._open
+
+    @property
     def busy(self) -> bool:
         """Whether a text is appearing."""
         return bool(self._text)
@@ -130,7 +135,7 @@ class Console:
     def cut(self) -> None:
         """Nothing is to be done: the whole text stands there."""
 
-    def heard(self, text: str) -> None:
+    def heard(self, text: str, typed: bool = False) -> None:
         """Show an answer."""
         self._keep("heard", text)
 
@@ -187,8 +192,13 @@ class Console:
 
     def _hint(self, columns: int) -> str:
         phase = self._status.phase if self._status is not None else ""
-        hint = _PAUSED if phase == "paused" else _TELLING if phase == "telling" else _WAITING
-        return hint[: columns - 4]
+        hints: tuple[str, ...] = _WAITING
+        if phase in ("paused", "telling"):
+            hints = _PAUSED if phase == "paused" else _TELLING
+        # As many as have room, each whole.
+        while len("   ".join(hints)) > columns - 4:
+            hints = hints[:-1]
+        return "   ".join(hints)
 
     def _dim(self, text: str) -> str:
         return dim(text) if self._colour else text

@@ -19,15 +19,6 @@ from adaptation.storyteller.understanding import Meaning
 Phase: TypeAlias = Literal[
     "greeting", "suggesting", "waiting", "telling", "paused", "farewell", "over"
 ]
-PHASES: tuple[Phase, ...] = (
-    "greeting",
-    "suggesting",
-    "waiting",
-    "telling",
-    "paused",
-    "farewell",
-    "over",
-)
 # After so many suggestions in a row that nobody answered, nobody seems to be there.
 MOST_UNANSWERED = 3
 

@@ -29,7 +29,7 @@ from adaptation.storyteller.parts import Parts, Settings, Summary, Times, turn_r
 from adaptation.storyteller.prepared import Prepared
 from adaptation.storyteller.protocols import EndOfInput
 from adaptation.storyteller.protocols import Heard as Answer
-from adaptation.storyteller.remarks import Remark, heed
+from adaptation.storyteller.remarks import Remark, as_answer, heed
 from adaptation.storyteller.screen import Status
 from adaptation.storyteller.senses import Sensed
 from adaptation.storyteller.ticking import CutShort, Interrupted
@@ -158,9 +158,8 @@ class Storyteller:
         prefer: tuple[Sense, ...] = ("resume",) if self._dialog.phase == "paused" else ()
         meaning = parts.understanding.meaning(answer.text, prefer)
         remark = self._remark(answer.text, meaning)
-        if remark is not None and self._dialog.phase == "waiting" and remark.kind == "praise":
-            # "Great!" to a suggestion accepts it.
-            meaning, remark = Meaning("yes"), None
+        if remark is not None and self._dialog.phase == "waiting":
+            meaning, remark = as_answer(remark, meaning, told=self._spoken is not None)
         evidence = None if remark is None else self._heed(remark, answer.confidence)
         self._write(
             "heard",
@@ -172,13 +171,19 @@ class Storyteller:
             speaking=self._speaking,
             remark=evidence,
         )
-        parts.screen.heard(answer.text)
+        parts.screen.heard(self._shown(answer, meaning), answer.source == "typed")
         if remark is not None:
             self._show()
             if meaning.sense not in ("yes", "no"):
                 return None  # "yes, great!" is both
         self._answers.append((answer, meaning))
         return meaning
+
+    def _shown(self, answer: Answer, meaning: Meaning) -> str:
+        """Return an answer as it is shown: the key that paused goes on when it is struck again."""
+        if self._dialog.phase == "paused" and meaning.sense == "pause":
+            return self._parts.generator.dialog.heard["resume"][0]
+        return answer.text
 
     def _remark(self, text: str, meaning: Meaning) -> Remark | None:
         """Return what an answer says of the telling, unless it says what is to be done."""
@@ -213,6 +218,7 @@ class Storyteller:
         utterance = self._prepared.get(character, move.x, self._state)
         state, self._state = self._state, utterance.state
         self._spoken = move.x
+        self._show()
         self._prepared.expect(character, move.x, utterance.state)
         before, began = parts.senses.begin(), parts.clock.now()
         pause = None if self._last_end is None else began - self._last_end
@@ -280,7 +286,7 @@ class Storyteller:
             Status(
                 phase=self._dialog.phase,
                 topic=parts.stories.name(topic) if topic else "",
-                x=parts.talk.x,
+                x=parts.talk.x if self._spoken is None else self._spoken,
                 engagement=parts.senses.engagement,
                 belief=belief(parts.talk.learner),
                 turns=self.summary.turns,

@@ -12,10 +12,23 @@ import numpy as np
 from adaptation.experiment import Revealed
 from adaptation.learners.base import Learner
 from adaptation.learners.bayes import Bayes
-from adaptation.problem import SAMPLE_SECONDS, Choice, Context, Outcome, moved
+from adaptation.problem import (
+    HIGHEST,
+    LOWEST,
+    SAMPLE_SECONDS,
+    Choice,
+    Context,
+    Floats,
+    Outcome,
+    moved,
+)
 from adaptation.storyteller.senses import Sensed
 from adaptation.world import rewarded
 from personage_lite.randomness import Draws
+
+# Log-odds of being engaged for one level of E: so the levels -1 … 1 of simulated listeners, whose
+# cues the network reads, are about one apart. No probability is taken to be nearer to 0 or 1.
+STEEPNESS, LEAST = 1.2, 0.01
 
 
 class Move(NamedTuple):
@@ -88,9 +101,24 @@ def outcome_of(x: int, sensed: Sensed, duration: float) -> Outcome | None:
         rewarded(after, before, True),
         np.array([x]),
         after,
-        np.array([sensed.stream]),
+        evened(np.array([sensed.stream])),
         np.array([max(duration, SAMPLE_SECONDS)]),
     )
+
+
+def evened(stream: Floats) -> Floats:
+    """Return E as the learners read it: by the log-odds of being engaged, not the probability.
+
+    Near -2 and 2 a probability hardly moves, however much the cues say; log-odds move alike
+    everywhere, so that the sensor's errors are as large everywhere, as learners expect. With what
+    each way brings, see docs/live.md.
+
+    >>> evened(np.array([-1.8, -1.0, 0.0, 1.0, 2.0])).round(2).tolist()
+    [-2.45, -0.92, 0.0, 0.92, 3.83]
+    """
+    engaged = np.clip((stream - LOWEST) / (HIGHEST - LOWEST), LEAST, 1 - LEAST)
+    odds: Floats = np.log(engaged / (1 - engaged)) / STEEPNESS
+    return odds
 
 
 def belief(learner: Learner) -> dict[str, Any] | None:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 from adaptation.storyteller.audience import Audience
+from adaptation.storyteller.kept_logs import KeptLog
 from adaptation.storyteller.learning import Move, TalkLearner
 from adaptation.storyteller.pace import seconds_to_say
 from adaptation.storyteller.protocols import Ear, Memory, Speaker
@@ -51,7 +52,7 @@ class Parts:
     speaker: Speaker
     ear: Ear
     screen: Screen
-    log: SessionLog | NoLog = field(default_factory=NoLog)
+    log: SessionLog | KeptLog | NoLog = field(default_factory=NoLog)
     memory: Memory | None = None
     audience: Audience | None = None
     remarks: Remarks | None = None

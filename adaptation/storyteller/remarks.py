@@ -18,7 +18,7 @@ from adaptation.belief.remarked import Kind
 from adaptation.learners.base import Learner
 from adaptation.learners.bayes import Bayes
 from adaptation.problem import HIGHEST, LOWEST, Choice, Context, Outcome
-from adaptation.storyteller.understanding import plain
+from adaptation.storyteller.understanding import Meaning, plain
 
 # What praise is worth as a reward, and blame with the sign turned.
 REWARD = 1.0
@@ -108,6 +108,19 @@ def _remark(kind: str, negated: bool) -> Remark | None:
     bare = kind.removesuffix("_of_that")
     meant = _TURNED.get(bare) if negated else bare
     return None if meant is None else Remark(meant, bare != kind)  # type: ignore[arg-type]
+
+
+def as_answer(remark: Remark, meaning: Meaning, *, told: bool) -> tuple[Meaning, Remark | None]:
+    """Return what a remark means where a suggestion waits for an answer, and what is left of it.
+
+    "Great!" accepts the suggestion. "Boring" refuses it where nothing was `told` yet; later it
+    speaks of what was told.
+    """
+    if remark.kind == "praise":
+        return Meaning("yes"), None
+    if remark.kind == "blame" and not told:
+        return Meaning("no"), None
+    return meaning, remark
 
 
 def heed(

@@ -38,6 +38,11 @@ class Screen(Protocol):
         """Whether a text is appearing."""
         ...
 
+    @property
+    def drawn(self) -> bool:
+        """Whether the terminal is taken, so that nothing else may write to it."""
+        ...
+
     def skip(self) -> None:
         """Let the present text appear at once."""
         ...
@@ -62,8 +67,8 @@ class Screen(Protocol):
         """Take note that the text before was broken off."""
         ...
 
-    def heard(self, text: str) -> None:
-        """Show an answer that was not typed."""
+    def heard(self, text: str, typed: bool = False) -> None:
+        """Show an answer; `typed`: a terminal that echoes what is typed shows it already."""
         ...
 
     def note(self, text: str) -> None:
@@ -103,6 +108,9 @@ class PlainScreen:
         self._text = ""
         self._shown = 0
         self.skipped = False
+        self.drawn = False
+        # What is to be shown below the text that is appearing.
+        self._meanwhile: list[str] = []
 
     @property
     def busy(self) -> bool:
@@ -138,23 +146,33 @@ class PlainScreen:
             self._shown = count
 
     def finish(self) -> None:
-        """Write the rest, and end the line."""
+        """Write the rest, end the line, and write what came meanwhile."""
         self._until(len(self._text))
-        self._out.write("\n")
-        self._out.flush()
         self._text, self._shown = "", 0
+        self._lines("", *self._meanwhile)
+        self._meanwhile.clear()
 
     def cut(self) -> None:
         """Nothing is to be done: the whole text stands there."""
 
-    def heard(self, text: str) -> None:
-        """Write the answer as if it had been typed."""
-        self._out.write(f"> {printable(text)}\n")
-        self._out.flush()
+    def heard(self, text: str, typed: bool = False) -> None:
+        """Write the answer as if it had been typed, unless the terminal has shown it."""
+        if not (typed and self._letters):
+            self._add(f"> {printable(text)}")
 
     def note(self, text: str) -> None:
         """Write a line in brackets."""
-        self._out.write(f"[{printable(text)}]\n")
+        self._add(f"[{printable(text)}]")
+
+    def _add(self, line: str) -> None:
+        """Write a line, below the present text if there is one."""
+        if self._text:
+            self._meanwhile.append(line)
+        else:
+            self._lines(line)
+
+    def _lines(self, *lines: str) -> None:
+        self._out.write("".join(f"{line}\n" for line in lines))
         self._out.flush()
 
     def status(self, status: Status) -> None:

@@ -12,8 +12,8 @@ class Sensed(NamedTuple):
     """E over one utterance: before, after, and each 200 ms, all in [-2, 2].
 
     `stream` is not smoothed: it holds the value of each tick, as the learners expect it (see
-    adaptation/live_world.py), `before` and `after` are five-second averages. All are None or
-    empty if nothing was sensed at all.
+    adaptation/live_world.py; smoothed they do worse, docs/live.md), `before` and `after` are
+    five-second averages. All are None or empty if nothing was sensed at all.
     """
 
     before: float | None

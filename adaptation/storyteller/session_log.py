@@ -29,7 +29,7 @@ class SessionLog:
     """
 
     def __init__(self, path: str) -> None:
-        self._path = path
+        self.path = path
         try:
             self._file = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND | os.O_CLOEXEC, 0o600)
         except OSError as error:
@@ -52,7 +52,7 @@ class SessionLog:
             fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:
             raise PersonageError(
-                f"{self._path}: another session is writing it; give another --log"
+                f"{self.path}: another session is writing it; give another --log"
             ) from None
 
     def _mend(self) -> None:
@@ -62,7 +62,7 @@ class SessionLog:
             return
         first = os.pread(self._file, 4096, 0).split(b"\n", 1)[0]
         if b'"log": "personage-lite live"' not in first and size > len(first):
-            raise PersonageError(f"{self._path}: is no session log; give another name for --log")
+            raise PersonageError(f"{self.path}: is no session log; give another name for --log")
         end = size
         while end:
             start = max(0, end - 65536)
@@ -72,7 +72,7 @@ class SessionLog:
                 break
             end = start
         if end == 0 and b'{"line": "header"' not in first[:20]:
-            raise PersonageError(f"{self._path}: is no session log; give another name for --log")
+            raise PersonageError(f"{self.path}: is no session log; give another name for --log")
         if end < size:
             os.ftruncate(self._file, end)
 
@@ -92,7 +92,7 @@ class SessionLog:
         except OSError as error:
             raise self._unwritable(error) from None
         if written < len(data):
-            raise PersonageError(f"{self._path}: cannot be written in whole; make room")
+            raise PersonageError(f"{self.path}: cannot be written in whole; make room")
 
     def close(self) -> None:
         """Close the file; may be called twice."""
@@ -102,12 +102,14 @@ class SessionLog:
 
     def _unwritable(self, error: OSError) -> PersonageError:
         return PersonageError(
-            f"{self._path}: cannot be written ({error.strerror}); give another --log, or none"
+            f"{self.path}: cannot be written ({error.strerror}); give another --log, or --no-log"
         )
 
 
 class NoLog:
     """Writes nothing."""
+
+    path = None
 
     def write(self, line: str, **fields: Any) -> None:
         """Forget the line."""

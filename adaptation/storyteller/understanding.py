@@ -42,8 +42,9 @@ def plain(text: str) -> str:
     'yes please'
     """
     kept = "".join(
-        sign if sign.isalnum() or sign in "'?" else " " for sign in text[:LONGEST_ANSWER].lower()
-    ).replace("’", "'")
+        sign if sign.isalnum() or sign in "'?" else " "
+        for sign in text[:LONGEST_ANSWER].lower().replace("’", "'")
+    )
     words = " ".join(kept.split())
     return words if words == "?" else words.replace("?", "").strip()
 
@@ -122,7 +123,7 @@ class Understanding:
         begun = None if " about " in words else self._begun(words, prefer)
         if begun is not None:
             return Meaning(begun)
-        return self._unknown(words)
+        return self._unknown(words, text)
 
     def _sense(self, words: str, prefer: Sequence[Sense]) -> Sense | None:
         senses = self._senses.get(words, [])
@@ -155,9 +156,20 @@ class Understanding:
                 return first
         return found[0] if found else None
 
-    def _unknown(self, words: str) -> Meaning:
-        """Tell a name that nobody has from what is no answer at all."""
+    def _unknown(self, words: str, text: str) -> Meaning:
+        """Tell a name that nobody has, as it was written, from what is no answer at all."""
         *before, last = _ABOUT.split(words)
         last = _bare(last.strip())
         named = last and len(last) <= _LONGEST_NAME and (before or len(words.split()) <= 3)
-        return Meaning("unknown_name", last) if named else Meaning("unclear")
+        return Meaning("unknown_name", _as_written(last, text)) if named else Meaning("unclear")
+
+
+def _as_written(words: str, text: str) -> str:
+    """Return plain words as they stand in a text: with capitals, without marks around them."""
+    parts = text[:LONGEST_ANSWER].split()
+    count = len(words.split())
+    for start in range(len(parts) - count, -1, -1):
+        piece = " ".join(parts[start : start + count])
+        if plain(piece) == words:
+            return re.sub(r"^\W+|\W+$", "", piece) if piece.isprintable() else words
+    return words

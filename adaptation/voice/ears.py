@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -11,7 +11,7 @@ import numpy as np
 from adaptation.sensing.sound import Device
 from adaptation.storyteller.protocols import Clock, Ear, EndOfInput, Heard
 from adaptation.voice.recogniser import LONGEST, RATE
-from adaptation.voice.sound import Samples, read_wav
+from adaptation.wav import Samples, read_wav
 from personage_lite.errors import PersonageError
 
 # How long one ear is listened to before it is the other's turn.
@@ -252,12 +252,3 @@ class EitherEar:
             self._all[0].close()
         finally:
             self._all[1].close()
-
-
-def answers_in_order(ear: Ear) -> Iterator[Heard | None]:
-    """Yield everything an ear hears until its end (what is not understood is None)."""
-    while True:
-        try:
-            yield ear.listen(None)
-        except EndOfInput:
-            return

@@ -7,7 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from adaptation.voice.sound import Samples, decibels
+from adaptation.voice.sound import decibels
+from adaptation.wav import Samples
 
 _FRAME, _HOP = 0.04, 0.01
 # What is this much quieter than the loudest frames is silence.

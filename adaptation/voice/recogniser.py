@@ -19,7 +19,8 @@ import numpy as np
 
 from adaptation.sensing.setup import needs
 from adaptation.storyteller.protocols import Heard
-from adaptation.voice.sound import Samples, decibels, pcm, resampled, trimmed
+from adaptation.voice.sound import decibels, pcm, resampled, trimmed
+from adaptation.wav import Samples
 from personage_lite.yaml_reader import Node, read_yaml
 
 # What pocketsphinx's model takes.

@@ -1,4 +1,4 @@
-"""Sound as numbers: reading and resampling, level, trimming, and a WAV file that grows.
+"""Sound as numbers: resampling, level, trimming, and a WAV file that grows.
 
 Samples are floats from -1 to 1, one channel.
 """
@@ -6,17 +6,15 @@ Samples are floats from -1 to 1, one channel.
 from __future__ import annotations
 
 import struct
-import wave
 from contextlib import suppress
 from os import PathLike, fsync
-from typing import BinaryIO, TypeAlias
+from typing import BinaryIO
 
 import numpy as np
-from numpy.typing import NDArray
 
+from adaptation.wav import Samples
 from personage_lite.errors import PersonageError
 
-Samples: TypeAlias = NDArray[np.float64]
 _HEADER = 44
 # A WAV file counts its bytes with 32 bits.
 _LARGEST = 2**32 - 1 - _HEADER
@@ -88,38 +86,6 @@ def pcm(samples: Samples) -> bytes:
     """Return samples as 16-bit PCM, what is beyond ±1 cut."""
     content: bytes = np.rint(np.clip(samples, -1, 1) * 32767).astype("<i2").tobytes()
     return content
-
-
-def read_wav(path: str | PathLike[str]) -> tuple[Samples, int]:
-    """Return the samples of a WAV file (PCM of 8 to 32 bits, channels mixed) and their rate.
-
-    Raises `PersonageError` for what is no such file.
-    """
-    try:
-        with wave.open(str(path), "rb") as file:
-            channels, width, rate = file.getnchannels(), file.getsampwidth(), file.getframerate()
-            content = file.readframes(file.getnframes())
-    except OSError as error:
-        raise PersonageError(f"{path}: cannot be read ({error.strerror}); check the path") from None
-    except (wave.Error, EOFError, struct.error) as error:
-        reason = str(error) or "it ends too soon"
-        raise PersonageError(f"{path}: no WAV file ({reason}); give one of PCM samples") from None
-    if not 1000 <= rate <= 384_000 or not 1 <= channels <= 64 or not 1 <= width <= 4:
-        raise PersonageError(f"{path}: no sound ({rate} Hz, {channels} channels); record it anew")
-    content = content[: len(content) // (width * channels) * width * channels]
-    return _decoded(content, width).reshape(-1, channels).mean(axis=1), rate
-
-
-def _decoded(content: bytes, width: int) -> Samples:
-    """Return PCM samples of 1 to 4 bytes as numbers from -1 to 1."""
-    raw = np.frombuffer(content, dtype=np.uint8).reshape(-1, width)
-    if width == 1:
-        return (raw[:, 0].astype(np.float64) - 128) / 128
-    # The highest bytes of 32 bits, little end first.
-    padded = np.zeros((len(raw), 4), dtype=np.uint8)
-    padded[:, 4 - width :] = raw
-    samples: Samples = padded.view("<i4")[:, 0].astype(np.float64) / 2**31
-    return samples
 
 
 class GrowingWav:

@@ -11,9 +11,10 @@ from collections.abc import Callable
 from typing import Any, Protocol
 
 from adaptation.storyteller.protocols import Clock, Speaker
-from adaptation.voice.sound import GrowingWav, Samples, silence
+from adaptation.voice.sound import GrowingWav, silence
 from adaptation.voice.spoken import spoken
 from adaptation.voice.voices import Voice
+from adaptation.wav import Samples
 from personage_lite.errors import PersonageError
 
 # Seconds of silence after each utterance of a WAV file.

@@ -12,9 +12,10 @@ from typing import Any, Protocol
 import numpy as np
 
 from adaptation.sensing.setup import needs
-from adaptation.voice.sound import Samples, limited, read_wav, silence, trimmed
+from adaptation.voice.sound import limited, silence, trimmed
 from adaptation.voice.spoken import Pause, SpokenSentence
 from adaptation.voice.ssml import document
+from adaptation.wav import Samples, read_wav
 from personage_lite.errors import PersonageError, nearest
 
 # How long one utterance may take espeak-ng: a second is enough for minutes of speech.

@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING
 from personage_lite.errors import PersonageError, nearest, shown
 
 if TYPE_CHECKING:
-    from adaptation.memory.store import Known, SqlMemory
+    from adaptation.memory.reading import Known
+    from adaptation.memory.store import SqlMemory
 
-HELP = "erase everything about a listener from the storyteller's memory, or list the listeners"
+HELP = "erase everything about a listener: memory and session logs; or list the listeners"
 EXAMPLE = "personage-lite forget Anna"
 
 
@@ -38,20 +39,42 @@ def run(arguments: argparse.Namespace) -> None:
 
     if arguments.list == (arguments.name is not None):
         raise PersonageError("forget whom? give a name, or --list to see who is remembered")
-    name = "" if arguments.list else checked_name(arguments.name)
-    memory = open_memory(arguments.memory, make=False)
-    try:
-        if arguments.list:
+    if arguments.list:
+        memory = open_memory(arguments.memory, make=False)
+        try:
             _list(memory.listeners(), arguments.format)
-        else:
-            _forget(memory, name)
+        finally:
+            memory.close()
+    else:
+        _forget(arguments.memory, checked_name(arguments.name))
+
+
+def _forget(where: str | None, name: str) -> None:
+    """Erase the logs of this machine, then what the database holds; say what was there."""
+    from adaptation.memory import NoMemoryError, open_memory
+    from adaptation.storyteller.kept_logs import erase_logs, log_folder
+
+    logs = erase_logs(log_folder(), name)
+    if logs:
+        what = _many(logs, "session log")
+        print(f"{what} of {name} on this machine {'is' if logs == 1 else 'are'} erased.")
+    try:
+        memory = open_memory(where, make=False)
+    except NoMemoryError:
+        if logs and where is None:  # whoever was met without a memory has logs alone
+            return
+        raise
+    try:
+        _erase(memory, name, bool(logs))
     finally:
         memory.close()
 
 
-def _forget(memory: SqlMemory, name: str) -> None:
+def _erase(memory: SqlMemory, name: str, logged: bool) -> None:
     erased = memory.erase(name)
     if not erased.known:
+        if logged:
+            return
         others = [known.name for known in memory.listeners()]
         raise PersonageError(f"nobody called '{shown(name)}' is remembered; {_hint(name, others)}")
     print(f"Everything about {name} is erased from {memory.place}.")

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import argparse
 import os
+import shlex
 import sys
-import time
 from contextlib import ExitStack
 from os.path import join
 from typing import TYPE_CHECKING
@@ -16,11 +16,10 @@ from personage_lite.errors import PersonageError, shown
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from adaptation.storyteller.assembly import Options, Outside
+    from adaptation.storyteller.assembly import Options
+    from adaptation.storyteller.kept_logs import KeptLog
     from adaptation.storyteller.parts import Summary
-    from adaptation.storyteller.protocols import Clock, Speaker
-    from adaptation.storyteller.screen import Screen
-    from adaptation.voice.speaker import VoiceSpeaker
+    from adaptation.storyteller.session_log import NoLog, SessionLog
     from personage_lite.generator import Generator
 
 HELP = "the storyteller: tells you stories, and adapts its style to how engaged you seem"
@@ -49,8 +48,15 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     add("--ear", metavar="PATH", action="append", help="spoken answers from WAV files or folders")
     add("--microphone", nargs="?", const="", metavar="N", help="hear spoken answers")
     add("--wav", metavar="FILE", help="write what is spoken to a file")
-    add("--log", metavar="FILE", help="append every turn to a session log")
-    add("--replay", metavar="LOG", help="say the words of a session log again, and verify them")
+    add("--log", metavar="FILE", help="the session log (default: a new one in your own folder)")
+    add("--no-log", action="store_const", const="none", dest="log", help="keep no session log")
+    add(
+        "--replay",
+        nargs="?",
+        const="",
+        metavar="LOG",
+        help="say the words of a session log again, and verify them (default: your latest)",
+    )
     add("--compare", action="store_true", help="with --replay: what other learners had chosen")
     add("--plain", action="store_true", help="text alone: no status, nothing drawn")
     add("--speed", default="1", metavar="N", help="how many times as fast (default 1; 0: at once)")
@@ -74,15 +80,17 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.compare:
         raise PersonageError("--compare needs a session log; add --replay LOG")
     from personage_lite.cli.engage import own_stderr
+    from personage_lite.cli.live_outside import outside_of
 
     with own_stderr() as say, ExitStack() as stack:
-        options = _options(arguments)
+        options = options_of(arguments)
         generator = generator_for(arguments.facts)
-        outside = _outside(arguments, options, say, stack)
+        outside = outside_of(arguments, options, say, stack)
         from adaptation.storyteller.assembly import run_session
 
         summary = run_session(generator, options, outside)
-        _account(summary, arguments, say)
+        stack.close()
+        _account(summary, outside.log, arguments.plain, say)
 
 
 def generator_for(facts: str | None) -> Generator:
@@ -93,7 +101,8 @@ def generator_for(facts: str | None) -> Generator:
     return Generator(facts=join(data_folder("facts"), "wonderland") if facts is None else facts)
 
 
-def _options(arguments: argparse.Namespace) -> Options:
+def options_of(arguments: argparse.Namespace) -> Options:
+    """Return what the command line asks for; raises `PersonageError` for what cannot be."""
     from adaptation.learners import LEARNERS
     from adaptation.storyteller.assembly import Options
     from personage_lite.names import checked_name
@@ -116,8 +125,13 @@ def _options(arguments: argparse.Namespace) -> Options:
         speed=speed_of(arguments.speed),
         turns=None if arguments.turns is None else whole_number(arguments.turns, "--turns", 1),
         characters=_listed(arguments.characters, "--characters"),
-        settings={"facts": arguments.facts, "learner": arguments.learner},
+        settings={"facts": _whole_path(arguments.facts), "learner": arguments.learner},
     )
+
+
+def _whole_path(facts: str | None) -> str | None:
+    """Return a path that names the same facts wherever the log is replayed."""
+    return None if facts is None else os.path.abspath(facts)
 
 
 def _sensors(arguments: argparse.Namespace) -> list[tuple[str, str | None]]:
@@ -198,104 +212,18 @@ def speed_of(text: str) -> float:
     return speed
 
 
-def _outside(
-    arguments: argparse.Namespace, options: Options, say: Callable[[str], None], stack: ExitStack
-) -> Outside:
-    """Return the devices; what is opened is closed by `stack`, whatever happens."""
-    from adaptation.storyteller.answers import Typed  # noqa: F401 - the slow part first
-    from adaptation.storyteller.assembly import Outside
-    from adaptation.storyteller.session_log import NoLog, SessionLog
+def _account(
+    summary: Summary,
+    log: SessionLog | KeptLog | NoLog,
+    plain: bool,
+    say: Callable[[str], None],
+) -> None:
+    """Say at the end what there was, and where it stands; not with --plain, unless asked to."""
+    from adaptation.storyteller.session_log import SessionLog
 
-    if sys.stdin is None:
-        raise PersonageError("nobody can answer; do not close standard input")
-    drawn = _can_draw(arguments, say)
-    if options.listener is None:
-        _hint(arguments, options, say)
-    log = NoLog() if arguments.log in (None, "none") else SessionLog(arguments.log)
-    stack.callback(log.close)
-    outside = Outside(
-        screen=lambda line: _screen(drawn, line),
-        typed=(sys.stdin.fileno(), drawn),
-        wall=time.time,
-        say=say,
-        log=log,
-    )
-    _add_voice(arguments, outside, say)
-    if options.name and arguments.memory != "none":
-        from adaptation.memory import open_memory
-
-        outside.memory = open_memory(arguments.memory, learner=options.learner)
-        stack.callback(outside.memory.close)
-    elif arguments.memory not in (None, "none"):
-        raise PersonageError("--memory remembers listeners by their names; add --name NAME")
-    return outside
-
-
-def _add_voice(arguments: argparse.Namespace, outside: Outside, say: Callable[[str], None]) -> None:
-    """Let the session speak and hear, if asked to; it does not hear itself."""
-    voices: list[VoiceSpeaker] = []
-    if arguments.speak or arguments.wav is not None:
-        from adaptation.voice import speaker_from
-
-        def voice(clock: Clock, instead: Speaker) -> VoiceSpeaker:
-            speaker = speaker_from(
-                arguments.voice, arguments.wav, clock=clock, instead=instead, say=say,
-                play=arguments.speak,
-            )  # fmt: skip
-            voices.append(speaker)
-            return speaker
-
-        outside.voice = voice
-    elif arguments.voice is not None:
-        raise PersonageError("--voice says who speaks; add --speak or --wav FILE")
-    if arguments.ear or arguments.microphone is not None:
-        from adaptation.voice import ear_from
-
-        outside.hears = lambda clock, typed: ear_from(
-            arguments.ear or (), arguments.microphone, clock=clock, typed=typed, say=say,
-            deaf=lambda: any(speaker.speaking for speaker in voices),
-        )  # fmt: skip
-
-
-def _can_draw(arguments: argparse.Namespace, say: Callable[[str], None]) -> bool:
-    """Whether the terminal can be drawn on; where it is too small a line says so."""
-    if arguments.plain or not (sys.stdin.isatty() and sys.stdout.isatty()):
-        return False
-    if os.environ.get("TERM", "dumb") == "dumb":
-        return False
-    from adaptation.storyteller.console import LEAST_COLUMNS, LEAST_ROWS
-
-    columns, rows = os.get_terminal_size(sys.stdout.fileno())
-    if columns < LEAST_COLUMNS or rows < LEAST_ROWS:
-        say(
-            f"the terminal is {columns}x{rows}, so the story comes as plain text; "
-            f"make it {LEAST_COLUMNS}x{LEAST_ROWS} for the status"
-        )
-        return False
-    return True
-
-
-def _screen(drawn: bool, line: Callable[[], str]) -> Screen:
-    if drawn:
-        from adaptation.storyteller.console import Console
-
-        return Console(sys.stdin.fileno(), sys.stdout, "NO_COLOR" not in os.environ, line)
-    from adaptation.storyteller.screen import PlainScreen
-
-    return PlainScreen(sys.stdout, letters=sys.stdout.isatty())
-
-
-def _hint(arguments: argparse.Namespace, options: Options, say: Callable[[str], None]) -> None:
-    """Say at the start what more there is."""
-    if arguments.sensor or arguments.name:
+    if plain and not isinstance(log, SessionLog):
         return
-    if options.sensors:
-        say("press + when you like it and - when not; more: --name YOU, --sensor camera, --speak")
-    else:
-        say("nobody watches you, so nothing is learned; more: --name YOU, --sensor camera, --speak")
-
-
-def _account(summary: Summary, arguments: argparse.Namespace, say: Callable[[str], None]) -> None:
-    """Say at the end what there was, where somebody wants to know."""
-    if arguments.log not in (None, "none"):
-        say(f"{summary.turns} utterances; say them again: live --replay {arguments.log}")
+    if log.path and os.path.exists(log.path):
+        again = shlex.join(("live", "--replay", str(log.path)))
+        count = f"{summary.turns} utterance{'s' * (summary.turns != 1)}"
+        say(f"{count}; say them again: {again}")

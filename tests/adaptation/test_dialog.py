@@ -133,7 +133,7 @@ def understanding() -> Understanding:
         ("the white rabit", "name", "white_rabbit"),
         ("white_rabbit", "name", "white_rabbit"),
         ("queen", "name", "queen_of_hearts"),
-        ("tell me about Robin Hood", "unknown_name", "robin hood"),
+        ("tell me about Robin Hood", "unknown_name", "Robin Hood"),
         ("'; DROP TABLE listener; --", "unclear", ""),
         ("a" * 10_000, "unclear", ""),
         ("\x1b[2J\x07", "unknown_name", "2j"),

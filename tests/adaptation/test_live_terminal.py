@@ -66,7 +66,7 @@ def test_no_row_is_longer_than_the_terminal_and_no_colour_is_needed(tmp_path: Pa
 def test_a_signal_at_any_moment(tmp_path: Path, wait: float, number: signal.Signals) -> None:
     log = tmp_path / "log.jsonl"
     child = start(tmp_path, "--speed", "5", "--log", str(log))
-    child.expect("personage-lite: press")
+    child.expect("press \\+ when you like it")
     before = termios.tcgetattr(child.child_fd)[3] & (termios.ECHO | termios.ICANON)
     if wait:
         child.expect("Enter: yes")
@@ -158,3 +158,58 @@ def test_the_end_of_the_input_is_a_farewell(tmp_path: Path) -> None:
     assert done.returncode == 0
     assert len(done.stdout.splitlines()) == 3
     assert b"Traceback" not in done.stderr
+
+
+def test_ctrl_z_gives_the_terminal_back_and_fg_takes_it_again(tmp_path: Path) -> None:
+    """In a shell with job control, as a person has it."""
+    environment = {**os.environ, "PYTHONPATH": str(ROOT), "TERM": "xterm", "PS1": "READY> "}
+    shell = pexpect.spawn(
+        "/bin/bash", ["--norc", "-i"], env=environment, dimensions=(24, 80), encoding="utf-8",
+        timeout=60,
+    )  # fmt: skip
+    shell.expect("READY> ")
+    before = termios.tcgetattr(shell.child_fd)[3]
+    log = tmp_path / "log.jsonl"
+    shell.sendline(f"{sys.executable} -m personage_lite live --seed 3 --speed 2 --log {log}")
+    shell.expect("Enter: yes")
+    assert termios.tcgetattr(shell.child_fd)[3] & termios.ICANON == 0
+    shell.send("alice\r")
+    shell.expect("telling")
+    shell.send("\x1a")
+    shell.expect("\x1b\\[\\?1049l")
+    shell.expect("Stopped")
+    shell.expect("READY> ")
+    shell.sendline("fg")
+    shell.expect("\x1b\\[\\?1049h")
+    shell.expect("liked")
+    assert termios.tcgetattr(shell.child_fd)[3] & (termios.ICANON | termios.ECHO) == 0
+    shell.send("quit\r")
+    shell.expect("\x1b\\[\\?1049l")
+    shell.expect("READY> ")
+    after = termios.tcgetattr(shell.child_fd)[3]
+    flags = termios.ICANON | termios.ECHO
+    assert after & flags == before & flags
+    shell.sendline("exit")
+    finished(shell)
+    (session,) = read_sessions(str(log))
+    assert session.lines[-1].fields["reason"] == "farewell"
+
+
+def test_stopped_and_continued_by_signals(tmp_path: Path) -> None:
+    """Without a shell that would set the terminal right: while stopped it is as it was."""
+    child = start(tmp_path, "--speed", "2")
+    flags = termios.ICANON | termios.ECHO
+    child.expect("Enter: yes")
+    assert termios.tcgetattr(child.child_fd)[3] & flags == 0
+    for _ in range(2):
+        child.kill(signal.SIGTSTP)
+        child.expect("\x1b\\[\\?1049l")
+        os.waitpid(child.pid, os.WUNTRACED)
+        assert termios.tcgetattr(child.child_fd)[3] & flags == flags
+        child.kill(signal.SIGCONT)
+        child.expect("\x1b\\[\\?1049h")
+        child.expect("liked")
+        assert termios.tcgetattr(child.child_fd)[3] & flags == 0
+    child.send("quit\r")
+    finished(child)
+    assert child.exitstatus == 0

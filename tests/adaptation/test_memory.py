@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from adaptation.memory import Oblivious, open_memory
+from adaptation.memory import open_memory
 from adaptation.memory.knowledge import pooled
 from adaptation.memory.names import key
 from adaptation.memory.places import found_place, shown_place, usual_place
@@ -224,12 +224,3 @@ def test_places() -> None:
     for wrong in ("", " ", "a\0b", "://", "postgresql://u:p@h:port/d", "mysql://u@h/d", "x://"):
         with pytest.raises(PersonageError, match=r"^memory: .*give"):
             found_place(wrong)
-
-
-def test_oblivious_keeps_nothing() -> None:
-    memory = Oblivious()
-    memory.begin("", 0.0)
-    memory.remember("", {}, {}, {"alice": {"clumsy": 1}})
-    assert memory.begin("Anna", 0.0).told == {}
-    assert not memory.forget("Anna")
-    memory.close()

@@ -17,7 +17,7 @@ import pytest
 from adaptation.sensing.contract import check_sensor
 from adaptation.sensing.cues import EndOfCues
 from adaptation.sensing.microphone import Microphone, backchannel, silero
-from adaptation.sensing.sound import CHUNK, Device, SoundSource, WavFile, read_wav
+from adaptation.sensing.sound import CHUNK, Device, SoundSource, WavFile, sound_of
 from personage_lite.errors import PersonageError
 
 LISTENER = Path(__file__).parent / "sounds" / "listener.wav"
@@ -69,7 +69,7 @@ def write(path: Path, samples: Any, rate: int = 16_000, width: int = 2, channels
 
 
 def spoken() -> Any:
-    return np.frombuffer(read_wav(str(LISTENER)), "<i2")
+    return np.frombuffer(sound_of(str(LISTENER)), "<i2")
 
 
 @pytest.mark.parametrize("kind", ["8 bit", "24 bit", "32 bit", "stereo", "44100", "8000"])
@@ -130,15 +130,15 @@ def test_what_is_no_wav_file(tmp_path: Path, content: bytes, line: str) -> None:
     path = tmp_path / "a.wav"
     path.write_bytes(content)
     with pytest.raises(PersonageError, match=line):
-        read_wav(str(path))
+        sound_of(str(path))
     with pytest.raises(PersonageError, match="cannot be read"):
-        read_wav(str(tmp_path / "none.wav"))
+        sound_of(str(tmp_path / "none.wav"))
 
 
 def test_a_file_that_is_cut_off_is_heard_to_there(tmp_path: Path) -> None:
     path = tmp_path / "a.wav"
     path.write_bytes(LISTENER.read_bytes()[:64_001])
-    assert len(read_wav(str(path))) == pytest.approx(64_000, abs=2 * CHUNK)
+    assert len(sound_of(str(path))) == pytest.approx(64_000, abs=2 * CHUNK)
 
 
 # A device that is none

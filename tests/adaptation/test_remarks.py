@@ -37,6 +37,7 @@ REMARKS = Remarks(Generator().dialog.remarks)
         ("I like it", Remark("praise")),
         ("I don't like it: I hate it", Remark("blame")),
         ("I don't like it", Remark("blame")),
+        ("I don’t like it", Remark("blame")),
         ("I really love it", Remark("praise")),
         ("I don't like that", Remark("less", of_that=True)),
         ("too loud", Remark("less")),

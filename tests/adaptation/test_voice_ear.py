@@ -12,12 +12,14 @@ import pytest
 from adaptation.storyteller.clocks import SimulatedClock
 from adaptation.storyteller.protocols import EndOfInput, Heard
 from adaptation.voice import ear_from
-from adaptation.voice.ears import WavEar, answers_in_order
+from adaptation.voice.ears import WavEar
 from adaptation.voice.recogniser import RATE, Recogniser, read_numbers
-from adaptation.voice.sound import GrowingWav, Samples, read_wav, resampled
+from adaptation.voice.sound import GrowingWav, resampled
 from adaptation.voice.spoken import spoken
 from adaptation.voice.voices import Espeak, Hibari, Voice
+from adaptation.wav import Samples, read_wav
 from personage_lite.errors import DataError, PersonageError
+from tests.adaptation.hearing import answers_in_order
 
 PHRASES = (
     *("yes", "yeah", "yes please", "no", "no thanks", "sure", "y", "n", "?", "alice", "dinah"),

@@ -9,10 +9,12 @@ import numpy as np
 from adaptation.storyteller.clocks import SimulatedClock
 from adaptation.storyteller.protocols import EndOfInput
 from adaptation.voice import ear_from, speaker_from
-from adaptation.voice.ears import EitherEar, MicrophoneEar, answers_in_order
+from adaptation.voice.ears import EitherEar, MicrophoneEar
 from adaptation.voice.recogniser import RATE
-from adaptation.voice.sound import read_wav, resampled
+from adaptation.voice.sound import resampled
 from adaptation.voice.voices import Espeak, Hibari
+from adaptation.wav import read_wav
+from tests.adaptation.hearing import answers_in_order
 from tests.adaptation.test_voice_ear import PHRASES, Silent, fit, recogniser, record, say
 
 # Two ears

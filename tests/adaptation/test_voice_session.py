@@ -11,9 +11,10 @@ from pathlib import Path
 import numpy as np
 
 from adaptation.voice.measures import measured
-from adaptation.voice.sound import GrowingWav, read_wav
+from adaptation.voice.sound import GrowingWav
 from adaptation.voice.spoken import spoken
 from adaptation.voice.voices import Hibari
+from adaptation.wav import read_wav
 
 ROOT = Path(__file__).parents[2]
 

@@ -19,10 +19,11 @@ import pytest
 from adaptation.storyteller.clocks import SimulatedClock
 from adaptation.voice import speaker_from
 from adaptation.voice.measures import Measured, measured
-from adaptation.voice.sound import GrowingWav, Samples, decibels, limited, read_wav, resampled
+from adaptation.voice.sound import GrowingWav, decibels, limited, resampled
 from adaptation.voice.speaker import Loudspeaker, VoiceSpeaker
 from adaptation.voice.spoken import SpokenSentence, spoken
 from adaptation.voice.voices import Espeak, Hibari, voice_named
+from adaptation.wav import Samples, read_wav
 from personage_lite.errors import PersonageError
 
 TEXT = (
