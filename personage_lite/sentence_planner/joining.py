@@ -89,7 +89,7 @@ def coordinate(pair: Pair, cue: Marker, rng: OperatorDraws, most: int) -> Joint 
         and pair.link.kind not in OPPOSING_KINDS  # "… but would rather stay" is written English
         and last.role == "assertion"
         and last.clause.verb != right.clause.verb
-        and describes(last) == describes(right)
+        and not (describes(last) or describes(right))  # not "is old and has a son"
         and last.clause.tense == right.clause.tense
         and not says(last.clause, cue.text)  # not "… the Hatter and the Hare and laughs"
         and rng.uniform("shared_subject") < _SHARED_SUBJECT
