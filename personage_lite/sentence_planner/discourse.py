@@ -13,9 +13,10 @@ from personage_lite.facts import Character, entity_of
 from personage_lite.lexicon import Marker
 from personage_lite.operators import Turn
 from personage_lite.plan import ClausePlan, ContentPlan, Made, SentencePlan, Status
-from personage_lite.realizer.specification import Cased, Text
+from personage_lite.realizer.specification import AdjectivePhrase, Cased, Clause, Text
 from personage_lite.sentence_planner import hedges, speech
 from personage_lite.sentence_planner.fitting import suits
+from personage_lite.sentence_planner.joining import says
 from personage_lite.sentence_planner.templates import lead_text, topic_told
 
 STAGE = "aggregation"
@@ -139,7 +140,12 @@ def with_reaction(
         clear = clear and not (clause.feeling == "sad" and sentences[0].fragment is not None)
         clear = clear and not any(_felt(sentence) for sentence in sentences)
         if clear and not asks and not hedges.doubtful(last):
-            able = [m for m in turn.lexicon.markers["reaction"] if suits(m, clause)]
+            able = [
+                marker
+                for marker in turn.lexicon.markers["reaction"]
+                # Not "he gets really sad. Isn't that sad?".
+                if suits(marker, clause) and not _repeats(marker, clause.clause)
+            ]
             words = {word for sentence in sentences for word in sentence.words}
             marker = turn.rng("reaction", words).marker(able)
             if marker is not None:
@@ -153,6 +159,13 @@ def _felt(sentence: SentencePlan) -> bool:
     if sentence.fragment is not None:
         return not any(isinstance(part, Cased) for part in sentence.fragment.parts)
     return any(clause.frame is not None for clause in sentence.clauses)
+
+
+def _repeats(marker: Marker, clause: Clause) -> bool:
+    said = clause.complement
+    words = marker.text.split(" ")
+    named = isinstance(said, AdjectivePhrase) and said.adjective in words
+    return named or any(says(clause, word) for word in words)
 
 
 def _fragment(marker: Marker) -> SentencePlan:

@@ -130,7 +130,8 @@ def _oath(
         if marker is not None and rng.uniform("degree") < _BEFORE_ADJECTIVE:
             return replaced(plan, index, with_degree(clause, marker.text, EMPHASIZED), marker.text)
     # One swears when one begins, or at what one feels; not in passing, nor for somebody else.
-    if plan.clauses[0].clause.quotation or not (plan.first or plan.clauses[0].frame):
+    begins = plan.first and not plan.answers
+    if plan.clauses[0].clause.quotation or not (begins or plan.clauses[0].frame):
         return None
     return _opener(plan, kind, ("opener",), rng, lexicon)
 
