@@ -25,7 +25,7 @@ COMPILED = (
     *("content_planner", "fact_choice", "operators", "randomness"),
     *("sentence_planner/__init__", "sentence_planner/aggregation", "sentence_planner/assembly"),
     *("sentence_planner/cue_words", "sentence_planner/discourse", "sentence_planner/hedges"),
-    "sentence_planner/joining",
+    *("sentence_planner/fitting", "sentence_planner/joining"),
     *("sentence_planner/lexical_choice", "sentence_planner/referring_expressions"),
     *("sentence_planner/rewording", "sentence_planner/speech", "sentence_planner/templates"),
     *("realizer/article", "realizer/clauses", "realizer/inflection"),
