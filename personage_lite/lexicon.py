@@ -6,6 +6,7 @@ Whoever adds a hedge or a synonym edits the YAML; the code knows operators, not 
 # No `from __future__ import annotations` here: typing compiles each annotation of a named tuple
 # that is a string, at every start.
 
+from collections.abc import Iterable
 from os import PathLike
 from os.path import join
 from typing import Literal, NamedTuple, TypeAlias
@@ -92,6 +93,13 @@ class Concept(NamedTuple):
     gradable: bool = True
 
 
+class Once(NamedTuple):
+    """Markers of which an utterance needs but one, and the words that they begin with."""
+
+    texts: frozenset[str]
+    beginnings: frozenset[str]
+
+
 class Lexicon(NamedTuple):
     """All words that generation can choose from; read-only, threads may share it.
 
@@ -104,8 +112,8 @@ class Lexicon(NamedTuple):
     someone: dict[str, str]
     adjectives: dict[str, Concept]
     verbs: dict[str, Concept]
-    attention: frozenset[str]
-    doubts: frozenset[str]
+    attention: Once
+    doubts: Once
     grammar: Grammar
 
 
@@ -162,14 +170,19 @@ def load_lexicon(folder: str | PathLike[str]) -> Lexicon:
     ]
     return Lexicon(
         markers=markers,
-        doubts=frozenset(text.rstrip(",") for text in doubting if text),
-        attention=frozenset(marker.text for marker in announcing),
+        doubts=_once(text.rstrip(",") for text in doubting if text),
+        attention=_once(marker.text for marker in announcing),
         templates=templates,
         someone=someone,
         adjectives=_read_concepts(read_yaml(join(folder, "adjectives.yaml")), verbs=False),
         verbs=_read_concepts(read_yaml(join(folder, "verbs.yaml")), verbs=True),
         grammar=load_grammar(folder),
     )
+
+
+def _once(texts: Iterable[str]) -> Once:
+    listed = frozenset(texts)
+    return Once(listed, frozenset(text.partition(" ")[0] for text in listed))
 
 
 def load_style(folder: str | PathLike[str], name: str) -> Style:

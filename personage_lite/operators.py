@@ -50,7 +50,7 @@ class OperatorDraws:
     @property
     def announced(self) -> bool:
         """Whether the utterance has announced something already: "Wait till you hear this!"."""
-        return not self._turn.lexicon.attention.isdisjoint(self._used)
+        return not self._turn.lexicon.attention.texts.isdisjoint(self._used)
 
     def uniform(self, name: str) -> float:
         """Return the number in [0, 1) of this operator, place and `name`."""
@@ -66,17 +66,20 @@ class OperatorDraws:
 
     def marker(self, markers: Sequence[Marker]) -> Marker | None:
         """Return a marker that suits X, rather a fresh one; None if this utterance has used all."""
-        used, doubts = self._used, self._turn.lexicon.doubts
-        if self.announced:
-            used = used | self._turn.lexicon.attention
-        if not doubts.isdisjoint(used):
-            used = used | doubts
+        used, lexicon = self._used, self._turn.lexicon
         x = self._turn.x  # as in `sounds_right`, without a call for each
         able = [m for m in markers if m.text not in used and m.lean * x >= _LEAST_LEAN]
         if used:
-            # Nor does one begin twice with the same word: "Oh, …! Oh, and …".
-            begun = {text.partition(" ")[0] for text in used if text}
-            able = [m for m in able if not (m.after and m.text.partition(" ")[0] in begun)]
+            groups = (lexicon.attention, lexicon.doubts)
+            said = [group for group in groups if not group.texts.isdisjoint(used)]
+            for group in said:
+                able = [m for m in able if m.text not in group.texts]
+            if any(m.after for m in able):
+                # Nor does one begin twice with the same word: "Oh, …! Oh, and …".
+                begun = {text.partition(" ")[0] for text in used if text}
+                for group in said:
+                    begun |= group.beginnings
+                able = [m for m in able if not (m.after and m.text.partition(" ")[0] in begun)]
         if len(able) < 2:
             return able[0] if able else None
         return pick(self.uniform("marker"), able, self.weights(able))
