@@ -9,9 +9,17 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from itertools import groupby, pairwise
 from math import floor
+from typing import get_args
 
 from personage_lite.fact_choice import FactChoice
-from personage_lite.facts import OPPOSING_KINDS, TELLING_KINDS, Character, Fact, Relation
+from personage_lite.facts import (
+    OPPOSING_KINDS,
+    TELLING_KINDS,
+    Character,
+    Fact,
+    Relation,
+    RelationKind,
+)
 from personage_lite.operators import Turn
 from personage_lite.plan import STATES, ContentPlan, Decision, Link, Made, Message, Role, Status
 from personage_lite.realizer.specification import AdjectivePhrase
@@ -29,6 +37,14 @@ _SAID_AGAIN: tuple[tuple[str, Role], ...] = (
 )
 # What holds between facts without a relation, and between a fact and itself.
 _NOTHING, _SAME_SUBJECT, _AGAIN = Link("none"), Link("infer"), Link("restatement")
+# What a relation can make of two facts, by its kind, `satellite_first` and `fixed_order`: looking
+# one up takes a quarter of the time that making one takes.
+_LINKS: dict[tuple[RelationKind, bool, bool], Link] = {
+    (kind, first, fixed): Link(kind, first, fixed)
+    for kind in get_args(RelationKind)
+    for first in (False, True)
+    for fixed in (False, True)
+}
 
 
 class _Planner:
@@ -88,11 +104,8 @@ class _Planner:
             if found is None or kind in TELLING_KINDS:
                 found = relation
         if found is not None:
-            return Link(
-                found.kind,
-                satellite_first=found.satellite == first,
-                fixed_order=first in self.character.prerequisites.get(second, ()),
-            )
+            fixed = first in self.character.prerequisites.get(second, ())
+            return _LINKS[found.kind, found.satellite == first, fixed]
         places = self.character.places
         near = right.topic == left.topic and abs(places[right.id] - places[left.id]) == 1
         # What does not stand side by side in the file is no pair: it is told in two sentences.
