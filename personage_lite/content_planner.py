@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from itertools import groupby, pairwise
 from math import floor
-from typing import get_args
+from typing import Final, get_args
 
 from personage_lite.fact_choice import FactChoice
 from personage_lite.facts import (
@@ -24,22 +24,24 @@ from personage_lite.operators import Turn
 from personage_lite.plan import STATES, ContentPlan, Decision, Link, Made, Message, Role, Status
 from personage_lite.realizer.specification import AdjectivePhrase
 
-STAGE = "content_planning"
+STAGE: Final = "content_planning"
 # The most facts that verbosity adds to the first one.
-_MOST_MORE = 6.0
+_MOST_MORE: Final = 6.0
 # How many facts back somebody still has in mind what was told.
-_LATELY = 8
+_LATELY: Final = 8
 # So many facts can stand without another topic after them.
-_ENOUGH = 1
-_SAID_AGAIN: tuple[tuple[str, Role], ...] = (
+_ENOUGH: Final = 1
+_SAID_AGAIN: Final[tuple[tuple[str, Role], ...]] = (
     ("repetitions", "repetition"),
     ("restatements", "restatement"),
 )
 # What holds between facts without a relation, and between a fact and itself.
-_NOTHING, _SAME_SUBJECT, _AGAIN = Link("none"), Link("infer"), Link("restatement")
+_NOTHING: Final = Link("none")
+_SAME_SUBJECT: Final = Link("infer")
+_AGAIN: Final = Link("restatement")
 # What a relation can make of two facts, by its kind, `satellite_first` and `fixed_order`: looking
 # one up takes a quarter of the time that making one takes.
-_LINKS: dict[tuple[RelationKind, bool, bool], Link] = {
+_LINKS: Final[dict[tuple[RelationKind, bool, bool], Link]] = {
     (kind, first, fixed): Link(kind, first, fixed)
     for kind in get_args(RelationKind)
     for first in (False, True)

@@ -7,13 +7,14 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Iterable
+from typing import Final
 
 from personage_lite.facts import OPPOSING_KINDS, Character, Fact
 from personage_lite.operators import Turn
 from personage_lite.randomness import pick
 
 # How much likelier a fact is that has a relation to the last one, by kind of relation.
-_RELATED = {
+_RELATED: Final = {
     "elaboration": 60.0,
     "justification": 60.0,
     "sequence": 30.0,
@@ -23,16 +24,16 @@ _RELATED = {
 }
 # A description stays with its topic, and a story once begun comes first; a new topic is rather
 # the next of the file's order.
-_SAME_TOPIC = 30.0
-_NEXT_TOPIC = 5.0
-_STORY = 400.0
+_SAME_TOPIC: Final = 30.0
+_NEXT_TOPIC: Final = 5.0
+_STORY: Final = 400.0
 # How much likelier the next facts of the topic in the file's order are than those further on.
-_LOCAL = (8.0, 4.0, 2.0)
+_LOCAL: Final = (8.0, 4.0, 2.0)
 # Within one utterance the very next fact is likelier still: it was written to follow.
-_GOES_ON = 3.0
-_OTHER_SUBJECT_FIRST = 0.3
+_GOES_ON: Final = 3.0
+_OTHER_SUBJECT_FIRST: Final = 0.3
 # A story is hardly ever begun before the stories that stand before it in the file.
-_STORY_BEFORE_ITS_TIME = 0.05
+_STORY_BEFORE_ITS_TIME: Final = 0.05
 
 
 class FactChoice:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence, Set
 from math import exp, log
-from typing import NamedTuple, Protocol, TypeVar
+from typing import Final, NamedTuple, Protocol, TypeVar
 
 from personage_lite.lexicon import Lexicon, Marker, Rating
 from personage_lite.plan import Made, SentencePlan
@@ -23,10 +23,10 @@ LEAST_WEIGHT = 0.45
 _LEAST_LEAN = log(LEAST_WEIGHT) / _PULL
 # Who is neither introvert nor extravert rather leaves the words of both ends to them: a word
 # whose lean is beyond this, or beyond what X adds to it, loses weight by a factor e^(-excess * 8).
-_MOST_LEAN = 0.45
-_EXCESS = -8.0
+_MOST_LEAN: Final = 0.45
+_EXCESS: Final = -8.0
 # What is left of a word's weight for each of the last turns that used it.
-_WORN = 0.25
+_WORN: Final = 0.25
 
 
 class OperatorDraws:
@@ -67,8 +67,9 @@ class OperatorDraws:
     def marker(self, markers: Sequence[Marker]) -> Marker | None:
         """Return a marker that suits X, rather a fresh one; None if this utterance has used all."""
         used, lexicon = self._used, self._turn.lexicon
-        x = self._turn.x  # as in `sounds_right`, without a call for each
-        able = [m for m in markers if m.text not in used and m.lean * x >= _LEAST_LEAN]
+        # As in `sounds_right`, without a call for each.
+        x, least = self._turn.x, _LEAST_LEAN
+        able = [m for m in markers if m.text not in used and m.lean * x >= least]
         if used:
             groups = (lexicon.attention, lexicon.doubts)
             said = [group for group in groups if not group.texts.isdisjoint(used)]

@@ -12,17 +12,17 @@ from collections.abc import Iterable, Sequence
 from hashlib import blake2b
 from itertools import accumulate
 from struct import Struct
-from typing import TypeVar
+from typing import Final, TypeVar
 
 T = TypeVar("T")
 # What makes a number in [0, 1) of a whole one below 2^64.
-SCALE = 1.0 / (1 << 64)
+SCALE: Final = 1.0 / (1 << 64)
 # How many numbers one hash of 64 bytes holds, and how to read the first so many of them.
-_ROW = 8
-_FIRST = tuple(Struct(f">{count}Q").unpack_from for count in range(_ROW + 1))
+_ROW: Final = 8
+_FIRST: Final = tuple(Struct(f">{count}Q").unpack_from for count in range(_ROW + 1))
 # How many bytes of a hash make Gaussian numbers, three each, and the deviation of their sum.
-_GAUSS = 63
-GAUSS_SCALE = 128.0
+_GAUSS: Final = 63
+GAUSS_SCALE: Final = 128.0
 
 
 class Draws:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Final, cast
 
 from personage_lite.realizer.agreement import (
     agreement,
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from personage_lite.realizer.syntax import Syntax
 
 # More is a mistake, and could fill the memory.
-_MOST_STUTTERS = 20
+_MOST_STUTTERS: Final = 20
 
 
 def noun_phrase(

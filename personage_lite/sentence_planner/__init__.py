@@ -7,7 +7,7 @@ into deep syntax. Source: Mairesse & Walker 2011, section 4; the paper, section 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from personage_lite.facts import Character
 from personage_lite.operators import Operator, Turn, run_operators
@@ -32,7 +32,7 @@ from personage_lite.sentence_planner.templates import PlainClauses, select_templ
 
 # The order in which pragmatic markers are offered: what changes a clause comes before what
 # stands around the sentence, for the latter looks at the former.
-PRAGMATIC_MARKERS: tuple[Operator, ...] = (
+PRAGMATIC_MARKERS: Final[tuple[Operator, ...]] = (
     Operator("subject_implicitness", rewording.subject_implicitness, limit=2),
     Operator("negation", rewording.negation, limit=1),
     Operator("weakened_positive_content", hedges.weakened_positive_content, limit=2),

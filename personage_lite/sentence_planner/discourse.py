@@ -8,6 +8,7 @@ structure, and Mairesse & Walker 2011, section 4.3, on cue words.
 from __future__ import annotations
 
 from itertools import pairwise
+from typing import Final
 
 from personage_lite.facts import Character, entity_of
 from personage_lite.lexicon import Marker
@@ -18,7 +19,7 @@ from personage_lite.sentence_planner import hedges, speech
 from personage_lite.sentence_planner.fitting import suits
 from personage_lite.sentence_planner.templates import lead_text
 
-STAGE = "aggregation"
+STAGE: Final = "aggregation"
 
 
 def with_openings(

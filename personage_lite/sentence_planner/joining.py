@@ -5,7 +5,7 @@ Source: Mairesse & Walker 2011, section 4.3; Reiter & Dale 2000, chapter 5.
 
 from __future__ import annotations
 
-from typing import NamedTuple, Protocol, TypeAlias
+from typing import Final, NamedTuple, Protocol, TypeAlias
 
 from personage_lite.lexicon import Lexicon, Marker
 from personage_lite.operators import OperatorDraws
@@ -13,10 +13,10 @@ from personage_lite.plan import STATES, ClausePlan, Link, SentencePlan
 from personage_lite.realizer.specification import AdjectivePhrase, Clause, Text
 
 # The most clauses in a sentence, where a cue word binds them and where only "and" does.
-MOST_CUED = 3
-MOST_UNCUED = 2
-_SHARED_SUBJECT = 0.5
-_OPPOSED = (("good", "bad"), ("bad", "good"))
+MOST_CUED: Final = 3
+MOST_UNCUED: Final = 2
+_SHARED_SUBJECT: Final = 0.5
+_OPPOSED: Final = (("good", "bad"), ("bad", "good"))
 
 
 class Pair(NamedTuple):

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import exp
+from typing import Final
 
 from personage_lite.lexicon import Concept, Word
 from personage_lite.operators import Turn
@@ -24,12 +25,15 @@ from personage_lite.realizer.specification import (
 )
 from personage_lite.sentence_planner.rewording import ANTONYM
 
-STAGE = "lexical_choice"
+STAGE: Final = "lexical_choice"
 # How strongly each property of a word counts, per unit that its parameter is off the middle.
-_FREQUENCY, _LENGTH, _STRENGTH, _EMOTION = 8.0, 0.4, 4.0, 3.0
-_WORN = 0.4
+_FREQUENCY: Final = 8.0
+_LENGTH: Final = 0.4
+_STRENGTH: Final = 4.0
+_EMOTION: Final = 3.0
+_WORN: Final = 0.4
 # What a complement must be to hold concepts. (Joined here: "|" takes its time.)
-_WORDED = (AdjectivePhrase, Coordination)
+_WORDED: Final = (AdjectivePhrase, Coordination)
 
 
 class LexicalChoice:

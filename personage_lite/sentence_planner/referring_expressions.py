@@ -7,16 +7,18 @@ Joshi & Weinstein 1995; Reiter & Dale 2000, section 5.4).
 
 from __future__ import annotations
 
+from typing import Final
+
 from personage_lite.facts import Character, Entity, entity_of
 from personage_lite.operators import Turn
 from personage_lite.plan import ClausePlan, Made
 from personage_lite.realizer.specification import Cased, Clause, NounPhrase, Phrase, Text
 
-STAGE = "referring_expressions"
+STAGE: Final = "referring_expressions"
 # Across turns a pronoun is rarer than within one.
-_ACROSS_TURNS = 0.6
-_DESCRIPTION = 0.04
-_SHORT_AGAIN = 0.85
+_ACROSS_TURNS: Final = 0.6
+_DESCRIPTION: Final = 0.04
+_SHORT_AGAIN: Final = 0.85
 
 
 class ReferringExpressions:

@@ -5,6 +5,8 @@ Source: Mairesse & Walker 2011, section 4.4; the paper, section IV-C and figure 
 
 from __future__ import annotations
 
+from typing import Final
+
 from personage_lite.lexicon import Lexicon
 from personage_lite.operators import OperatorDraws
 from personage_lite.plan import Frame, SentencePlan
@@ -25,14 +27,14 @@ from personage_lite.sentence_planner.hedges import (
 )
 from personage_lite.sentence_planner.joining import describes
 
-_TWICE = 0.04
-_BEFORE_ADJECTIVE = 0.5
-_MOST_MARKS = 1
+_TWICE: Final = 0.04
+_BEFORE_ADJECTIVE: Final = 0.5
+_MOST_MARKS: Final = 1
 # Of the sentences that leave everybody cold, the share that can be exclaimed all the same.
-_PLAINLY_EXCLAIMED = 0.65
+_PLAINLY_EXCLAIMED: Final = 0.65
 # Of the sentences that could end with "mate", the share that does; "Listen to this, mate!" can.
-_NUDGED = 0.15
-STUTTER = "stutter"
+_NUDGED: Final = 0.15
+STUTTER: Final = "stutter"
 
 
 def _opener(
