@@ -188,14 +188,14 @@ def run_operators(
     everywhere = f"sentences 1 to {count}" if count > 1 else "sentence 1"
     words = {word for sentence in sentences for word in sentence.words}
     words.update(_leads(sentences))
-    whole_numbers, lexicon = turn.draws.whole_numbers, turn.lexicon
+    draws, lexicon = turn.draws, turn.lexicon
     parameters, worn = turn.parameters, turn.worn
     for name, apply, limit in operators:
         # Asked first for what most turns need: nothing has been worn yet.
         probability = turn.probability(name) if worn else parameters.get(name, 0.0)
         if probability <= 0.0:
             continue
-        row = whole_numbers(name, count)
+        row = draws.whole_numbers(name, count)
         lowest = min(row) * SCALE
         if lowest >= probability:
             decisions.append((name, stage, probability, lowest, "not_drawn", everywhere, "", ""))

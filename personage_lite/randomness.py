@@ -8,7 +8,7 @@ whatever Python's own hash seed is.
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from hashlib import blake2b
 from itertools import accumulate
 from struct import Struct
@@ -64,9 +64,9 @@ class Draws:
 
     def gauss(self, count: int) -> list[float]:
         """Return `count` numbers of mean 0 and deviation 1, within ±3."""
-        return self.around([0.0] * count, [1.0 / GAUSS_SCALE] * count)
+        return self.around((0.0,) * count, (1.0 / GAUSS_SCALE,) * count)
 
-    def around(self, means: Sequence[float], deviations: Iterable[float]) -> list[float]:
+    def around(self, means: tuple[float, ...], deviations: tuple[float, ...]) -> list[float]:
         """Return a number for each mean; the deviations are given in parts of `GAUSS_SCALE`.
 
         Each is the sum of three even bytes: near enough to normal, and exact on every machine.
@@ -77,10 +77,12 @@ class Draws:
             hasher = self._row.copy()
             hasher.update(b"gauss/%d" % (len(even) // 3))
             even += hasher.digest()[:_GAUSS]
+        # Without `strict` a compiled build makes a plain loop of it.
+        first, second, third = even[0::3], even[1::3], even[2::3]
         return [
             mean + deviation * (one + two + three - 382.5)
-            for mean, deviation, one, two, three in zip(
-                means, deviations, even[0::3], even[1::3], even[2::3], strict=False
+            for mean, deviation, one, two, three in zip(  # noqa: B905
+                means, deviations, first, second, third
             )
         ]
 
