@@ -88,9 +88,9 @@ def plan_sentences(
     facts: list[str] = []
     marked = {*used}
     for index, sentence in enumerate(sentences):
-        parts = words.clauses(sentence.clauses, index)
+        parts, contracted = words.clauses(sentence.clauses, index)
         if sentence.fragment is None:
-            parts = referring.clauses(parts)
+            parts = referring.clauses(parts, contracted)
         elif any(isinstance(part, Cased) for part in sentence.fragment.parts):
             referring.fragment(sentence.fragment)
         for part in parts:

@@ -45,6 +45,7 @@ class ReferringExpressions:
         self._part: NounPhrase | None = None
         self._turn_before = True
         self._count = 0
+        self._contracted = False
         self.decisions: list[Made] = []
 
     @property
@@ -187,8 +188,12 @@ class ReferringExpressions:
         self._said.update(self._here)
         self._end()
 
-    def clauses(self, plans: tuple[ClausePlan, ...]) -> tuple[ClausePlan, ...]:
-        """Return the clauses of a sentence with their mentions in their forms."""
+    def clauses(self, plans: tuple[ClausePlan, ...], contracted: bool) -> tuple[ClausePlan, ...]:
+        """Return the clauses of a sentence with their mentions in their forms.
+
+        They are made anew here, `contracted` if that is so.
+        """
+        self._contracted = contracted
         self._here = []
         self._part = None
         resolved = self._clauses(plans)
@@ -282,7 +287,8 @@ class ReferringExpressions:
             asides = tuple([self._phrase(phrase) for phrase in asides])
         self._subject = owner or self._subject
         head = (clause.verb, subject, clause.particle, indirect, direct, complement)
-        return tuple.__new__(Clause, (*head, adverbials, asides, *clause[8:]))
+        tail = (self._contracted or clause.contracted, *clause[21:])
+        return tuple.__new__(Clause, (*head, adverbials, asides, *clause[8:20], *tail))
 
     def _phrase(self, phrase: Phrase) -> Phrase:
         return self._text(phrase) if isinstance(phrase, Text) else phrase
