@@ -310,8 +310,8 @@ class ReferringExpressions:
                 # "Alice doesn't like standing close to her", if it was she who was talked about.
                 objective = objective and (alone or part.phrase.entity == self._subject)
                 form = self.form(part.phrase, False, bound, part.case == "possessive", objective)
-                parts.append(Cased(form, part.case))
+                parts.append(tuple.__new__(Cased, (form, part.case)))
                 changed = True
             else:
                 parts.append(part)
-        return Text(tuple(parts)) if changed else text
+        return tuple.__new__(Text, (tuple(parts),)) if changed else text

@@ -203,7 +203,8 @@ def exclamation(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> 
     felt = any(clause.feeling for clause in plan.clauses)
     if not felt and rng.uniform("plain") >= _PLAINLY_EXCLAIMED:
         return None
-    return SentencePlan(*plan[:10], "!", *plan[11:])
+    # Made anew: `_replace` takes several times as long.
+    return tuple.__new__(SentencePlan, (*plan[:10], "!", *plan[11:]))
 
 
 def in_group_marker(
