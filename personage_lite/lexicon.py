@@ -52,7 +52,7 @@ class Marker(NamedTuple):
 class Template(NamedTuple):
     """A syntactic frame for a proposition; see lexicons/templates.yaml for the fields.
 
-    `marker` stands for it in weighted choices: its name, lean and weight.
+    `marker` stands for it in choices: its name, lean and weight, and what it can be said of.
     """
 
     name: str
@@ -60,13 +60,10 @@ class Template(NamedTuple):
     form: str
     lead: str
     complementizer: str
-    polarity: str
     connotation: str
     inner_tag: bool
     emphatic: bool
     hedging: bool
-    feelings: tuple[str, ...]
-    only: str
     marker: Marker
 
 
@@ -243,17 +240,17 @@ def _read_templates(node: Node) -> tuple[dict[str, tuple[Template, ...]], dict[s
             form=form,
             lead="" if form == "someone_who" else item.need("lead").text(),
             complementizer=item.text_of("complementizer"),
-            polarity=item.choice_of("polarity", POLARITIES, ""),
             connotation=item.choice_of("connotation", POLARITIES, ""),
             inner_tag=item.choice_of("tag", ("inner",), "") == "inner",
             emphatic=item.flag_of("emphatic"),
             hedging=item.flag_of("hedging"),
-            feelings=_feelings(item),
-            only=item.choice_of("only", KINDS_OF_CLAUSE, ""),
             marker=Marker(
                 name,
                 lean=item.number_of("lean", -1, 1, 0.0),
                 weight=item.number_of("weight", 0, 100, 1.0),
+                polarity=item.choice_of("polarity", POLARITIES, ""),
+                feelings=_feelings(item),
+                only=item.choice_of("only", KINDS_OF_CLAUSE, ""),
             ),
         )
         item.done()

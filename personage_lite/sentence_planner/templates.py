@@ -103,7 +103,7 @@ def fits(template: Template, plan: ClausePlan) -> bool:
     if plan.polarity == "neutral" and template.hedging and form == "clause":
         return False  # nobody has a view on whether she is a little girl
     quality = isinstance(clause.complement, AdjectivePhrase)
-    if not suits(template, plan):
+    if not suits(template.marker, plan):
         return False
     if template.emphatic and quality and plan.strength != "extremely":
         return False  # much ado about a plain word
