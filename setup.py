@@ -29,7 +29,7 @@ COMPILED = (
     *("sentence_planner/lexical_choice", "sentence_planner/referring_expressions"),
     *("sentence_planner/rewording", "sentence_planner/speech", "sentence_planner/templates"),
     *("realizer/article", "realizer/clauses", "realizer/inflection"),
-    *("realizer/non_finite", "realizer/noun_phrases", "realizer/orthography"),
+    *("realizer/non_finite", "realizer/noun_phrases", "realizer/number", "realizer/orthography"),
     *("realizer/phrases", "realizer/predicates", "realizer/sentences"),
     *("realizer/stutter", "realizer/subordination", "realizer/verb_group", "realizer/words"),
 )
