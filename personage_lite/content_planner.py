@@ -55,6 +55,7 @@ class _Planner:
     def __init__(self, character: Character, turn: Turn) -> None:
         self.character = character
         self.turn = turn
+        self.told = turn.state.told_of(character.entity.id)
         self.decisions: list[Made] = []
 
     def decide(self, name: str) -> bool:
@@ -142,7 +143,7 @@ class _Planner:
         """
         if len(facts) < 2 or not self.decide("positive_content_first"):
             return facts
-        fresh = not self.turn.state.told_of(self.character.entity.id)
+        fresh = not self.told
         units: list[list[Fact]] = [[facts[0]]]
         for left, right in pairwise(facts):
             if self.link(left, right).kind == "none":
@@ -165,7 +166,7 @@ class _Planner:
 
     def recall(self, messages: list[Message]) -> None:
         """Take up what was told in an earlier turn, if drawn: it explains or opposes what comes."""
-        told = self.turn.state.told_of(self.character.entity.id)
+        told = self.told
         if not told:
             return
         able = [

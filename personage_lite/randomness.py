@@ -44,7 +44,8 @@ class Draws:
         """Return the number in [0, 1) that belongs to `name`."""
         hasher = self._uniform.copy()
         hasher.update(name.encode())
-        return int.from_bytes(hasher.digest(), "big") * SCALE
+        number: int = _FIRST[1](hasher.digest())[0]
+        return number * SCALE
 
     def numbers(self, name: str, count: int) -> list[float]:
         """Return `count` numbers in [0, 1) that belong to `name`, eight at the cost of one.

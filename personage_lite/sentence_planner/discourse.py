@@ -76,7 +76,8 @@ def with_openings(
         marker = rng.marker(turn.lexicon.markers["request_confirmation"])
         if marker is not None:
             words = lead_text(marker.text, character.entity.phrase)
-            placed[0] = placed[0]._replace(answers=marker.after == "?")
+            if marker.after == "?":
+                placed[0] = placed[0]._replace(answers=True)
             asked = SentencePlan(fragment=words, terminal=marker.after, words=(marker.text,))
             placed.insert(0, asked)
     return placed, decisions
