@@ -257,5 +257,5 @@ def plan_content(character: Character, turn: Turn) -> tuple[ContentPlan, list[Ma
     doubtful = doubtful and not (links and links[0].kind in OPPOSING_KINDS)
     rejection = doubtful and planner.decide("initial_rejection")
     mitigation = not (rejection or recalls) and planner.decide("competence_mitigation")
-    plan = ContentPlan(tuple(messages), tuple(links), confirmation, rejection, mitigation)
-    return plan, planner.decisions
+    said = (tuple(messages), tuple(links), confirmation, rejection, mitigation)
+    return tuple.__new__(ContentPlan, said), planner.decisions

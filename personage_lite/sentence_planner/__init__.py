@@ -49,6 +49,8 @@ PRAGMATIC_MARKERS: Final[tuple[Operator, ...]] = (
     Operator("exclamation", speech.exclamation, limit=4),
     Operator("in_group_marker", speech.in_group_marker, limit=1),
 )
+# What surrounds the first sentence that states a fact.
+_OPENING: Final = SentencePlan(first=True)
 
 
 class PlannedSentences(NamedTuple):
@@ -117,7 +119,7 @@ def aggregate(
     An operator whose constraint does not hold is struck off and another one drawn.
     """
     done: list[SentencePlan] = []
-    current = SentencePlan((clauses[0],), first=True)
+    current = tuple.__new__(SentencePlan, ((clauses[0],), *_OPENING[1:]))
     decisions: list[Made] = []
     for index, (clause, link) in enumerate(zip(clauses[1:], links, strict=True)):
         # Where clauses changed places, what the relation holds of is no longer the last one.

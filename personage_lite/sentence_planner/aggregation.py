@@ -46,6 +46,8 @@ from personage_lite.sentence_planner.joining import (
 )
 
 _MOST_MERGED: Final = 3
+# A sentence with nothing around its clauses.
+_BARE: Final = SentencePlan()
 
 
 # Without a cue
@@ -53,7 +55,7 @@ _MOST_MERGED: Final = 3
 
 def period(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | None:
     """Leave two sentences."""
-    return (pair.left, SentencePlan((pair.right,)))
+    return (pair.left, tuple.__new__(SentencePlan, ((pair.right,), *_BARE[1:])))
 
 
 def conjunction(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | None:

@@ -40,7 +40,7 @@ def assemble(plan: SentencePlan, clauses: tuple[ClausePlan, ...]) -> Sentence:
     joined: tuple[Joined, ...] = ()
     if len(bodies) > 1:
         joined = tuple(
-            Joined(part.cue, _framed(part, clause), part.shared_subject)
+            tuple.__new__(Joined, (part.cue, _framed(part, clause), part.shared_subject))
             for part, clause in bodies[1:]
         )
     # Unchecked, for the plan's parts are: that takes half the time.
