@@ -25,11 +25,11 @@ COMPILED = (
     *("content_planner", "fact_choice", "operators", "randomness"),
     *("sentence_planner/__init__", "sentence_planner/aggregation", "sentence_planner/assembly"),
     *("sentence_planner/cue_words", "sentence_planner/discourse", "sentence_planner/hedges"),
-    "sentence_planner/joining",
+    *("sentence_planner/fitting", "sentence_planner/joining"),
     *("sentence_planner/lexical_choice", "sentence_planner/referring_expressions"),
     *("sentence_planner/rewording", "sentence_planner/speech", "sentence_planner/templates"),
     *("realizer/article", "realizer/clauses", "realizer/inflection"),
-    *("realizer/non_finite", "realizer/noun_phrases", "realizer/orthography"),
+    *("realizer/non_finite", "realizer/noun_phrases", "realizer/number", "realizer/orthography"),
     *("realizer/phrases", "realizer/predicates", "realizer/sentences"),
     *("realizer/stutter", "realizer/subordination", "realizer/verb_group", "realizer/words"),
 )

@@ -103,7 +103,7 @@ def _unsayable(character: Character, lexicon: Lexicon, realizer: Realizer) -> It
         bodies = [Sentence(fact.clause)]
         for templates in lexicon.templates.values():
             for template in templates:
-                if template.polarity in ("", plan.polarity) and fits(template, plan):
+                if template.marker.polarity in ("", plan.polarity) and fits(template, plan):
                     said = framed(plan, template, lexicon, name)
                     frame = said.frame
                     if frame is not None and frame.lead is not None and template.lead:

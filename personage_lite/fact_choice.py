@@ -6,14 +6,15 @@ Source: Mairesse & Walker 2011, section 4.1; Reiter & Dale 2000, section 4.3 (co
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
+from typing import Final
 
 from personage_lite.facts import OPPOSING_KINDS, TELLING_KINDS, Character, Fact
 from personage_lite.operators import Turn
 from personage_lite.randomness import pick
 
 # How much likelier a fact is that has a relation to the last one, by kind of relation.
-_RELATED = {
+_RELATED: Final = {
     "elaboration": 60.0,
     "justification": 60.0,
     "sequence": 30.0,
@@ -23,16 +24,16 @@ _RELATED = {
 }
 # A description stays with its topic, and a story once begun comes first; a new topic is rather
 # the next of the file's order.
-_SAME_TOPIC = 30.0
-_NEXT_TOPIC = 5.0
-_STORY = 400.0
+_SAME_TOPIC: Final = 30.0
+_NEXT_TOPIC: Final = 5.0
+_STORY: Final = 400.0
 # How much likelier the next facts of the topic in the file's order are than those further on.
-_LOCAL = (8.0, 4.0, 2.0)
+_LOCAL: Final = (8.0, 4.0, 2.0)
 # Within one utterance the very next fact is likelier still: it was written to follow.
-_GOES_ON = 3.0
-_OTHER_SUBJECT_FIRST = 0.3
+_GOES_ON: Final = 3.0
+_OTHER_SUBJECT_FIRST: Final = 0.3
 # A story is hardly ever begun before the stories that stand before it in the file.
-_STORY_BEFORE_ITS_TIME = 0.05
+_STORY_BEFORE_ITS_TIME: Final = 0.05
 
 
 class FactChoice:
@@ -70,32 +71,50 @@ class FactChoice:
         character, own = self._character, self._weights
         if len(self._closed) == len(own):
             return None
-        places = character.places
+        draw = self._turn.draws.uniform(f"fact/{index}")
         near, factor = self._near(last)
-        first = self._fresh and not index
-        # At first, who it is comes before all else.
-        weights = [0.0] * len(own) if first else own.copy()
+        if last is None and self._fresh and near:
+            fact = self._first(near, factor, draw)
+        else:
+            fact = pick(draw, character.facts, self._readiness(last, index, near, factor))
+        self._closed.add(fact.id)
+        own[character.places[fact.id]] = 0.0
+        # What waited for this fact alone can now be told.
+        self._unlock(character.unlocks.get(fact.id, ()))
+        return fact
+
+    def _first(self, near: list[int], factor: float, draw: float) -> Fact:
+        """Return the very first fact: who it is comes before all else."""
+        facts, about = self._character.facts, self._character.entity.id
+        weights = [self._weights[place] * factor for place in near]
+        for index, nearness in enumerate(_LOCAL[: len(near)]):
+            weights[index] *= nearness
+        for index, place in enumerate(near):
+            if facts[place].about != about:
+                weights[index] *= _OTHER_SUBJECT_FIRST
+        return facts[pick(draw, near, weights)]
+
+    def _readiness(
+        self, last: Fact | None, index: int, near: list[int], factor: float
+    ) -> list[float]:
+        """Return a weight for each fact in the order of the file."""
+        character, own = self._character, self._weights
+        weights = own.copy()
         for place in near:
             weights[place] = own[place] * factor
         for place, nearness in zip(near, _LOCAL, strict=False):
             weights[place] *= nearness
         if index and near:
             weights[near[0]] *= _GOES_ON
-        if not first:
-            for place in self._later_stories():
-                weights[place] *= _STORY_BEFORE_ITS_TIME
+        for place in self._later_stories():
+            weights[place] *= _STORY_BEFORE_ITS_TIME
         if last is not None and last.id in character.related:
             for key, nearness in self._related(last).items():
-                weights[places[key]] *= nearness
+                weights[character.places[key]] *= nearness
         if not index:
             for place in character.by_others:
                 weights[place] *= _OTHER_SUBJECT_FIRST
-        fact = pick(self._turn.draws.uniform(f"fact/{index}"), character.facts, weights)
-        self._closed.add(fact.id)
-        own[places[fact.id]] = 0.0
-        # What waited for this fact alone can now be told.
-        self._unlock(character.unlocks.get(fact.id, ()))
-        return fact
+        return weights
 
     def unfinished(self, last: Fact) -> bool:
         """Whether one fact of the topic is left, or one that the last explains or opposes."""
@@ -132,14 +151,17 @@ class FactChoice:
                 return left, _NEXT_TOPIC
         return [], _NEXT_TOPIC
 
-    def _later_stories(self) -> Iterator[int]:
-        """Yield the places where stories open that come after one that is not told to its end."""
+    def _later_stories(self) -> list[int]:
+        """Return the places where stories open that come after one that is not told to its end."""
+        places: list[int] = []
         waiting = False
         for name in self._character.stories:
             left = self._left(name)
             if waiting:
-                yield from left
-            waiting = waiting or bool(left)
+                places += left
+            elif left:
+                waiting = True
+        return places
 
     def _left(self, topic: str) -> list[int]:
         """Return the places of a topic's facts that can be told now."""

@@ -6,6 +6,7 @@ Whoever adds a hedge or a synonym edits the YAML; the code knows operators, not 
 # No `from __future__ import annotations` here: typing compiles each annotation of a named tuple
 # that is a string, at every start.
 
+from collections.abc import Iterable
 from os import PathLike
 from os.path import join
 from typing import Literal, NamedTuple, TypeAlias
@@ -51,7 +52,7 @@ class Marker(NamedTuple):
 class Template(NamedTuple):
     """A syntactic frame for a proposition; see lexicons/templates.yaml for the fields.
 
-    `marker` stands for it in weighted choices: its name, lean and weight.
+    `marker` stands for it in choices: its name, lean and weight, and what it can be said of.
     """
 
     name: str
@@ -59,13 +60,10 @@ class Template(NamedTuple):
     form: str
     lead: str
     complementizer: str
-    polarity: str
     connotation: str
     inner_tag: bool
     emphatic: bool
     hedging: bool
-    feelings: tuple[str, ...]
-    only: str
     marker: Marker
 
 
@@ -92,6 +90,13 @@ class Concept(NamedTuple):
     gradable: bool = True
 
 
+class Once(NamedTuple):
+    """Markers of which an utterance needs but one, and the words that they begin with."""
+
+    texts: frozenset[str]
+    beginnings: frozenset[str]
+
+
 class Lexicon(NamedTuple):
     """All words that generation can choose from; read-only, threads may share it.
 
@@ -104,8 +109,8 @@ class Lexicon(NamedTuple):
     someone: dict[str, str]
     adjectives: dict[str, Concept]
     verbs: dict[str, Concept]
-    attention: frozenset[str]
-    doubts: frozenset[str]
+    attention: Once
+    doubts: Once
     grammar: Grammar
 
 
@@ -162,14 +167,19 @@ def load_lexicon(folder: str | PathLike[str]) -> Lexicon:
     ]
     return Lexicon(
         markers=markers,
-        doubts=frozenset(text.rstrip(",") for text in doubting if text),
-        attention=frozenset(marker.text for marker in announcing),
+        doubts=_once(text.rstrip(",") for text in doubting if text),
+        attention=_once(marker.text for marker in announcing),
         templates=templates,
         someone=someone,
         adjectives=_read_concepts(read_yaml(join(folder, "adjectives.yaml")), verbs=False),
         verbs=_read_concepts(read_yaml(join(folder, "verbs.yaml")), verbs=True),
         grammar=load_grammar(folder),
     )
+
+
+def _once(texts: Iterable[str]) -> Once:
+    listed = frozenset(texts)
+    return Once(listed, frozenset(text.partition(" ")[0].rstrip(",") for text in listed))
 
 
 def load_style(folder: str | PathLike[str], name: str) -> Style:
@@ -240,17 +250,17 @@ def _read_templates(node: Node) -> tuple[dict[str, tuple[Template, ...]], dict[s
             form=form,
             lead="" if form == "someone_who" else item.need("lead").text(),
             complementizer=item.text_of("complementizer"),
-            polarity=item.choice_of("polarity", POLARITIES, ""),
             connotation=item.choice_of("connotation", POLARITIES, ""),
             inner_tag=item.choice_of("tag", ("inner",), "") == "inner",
             emphatic=item.flag_of("emphatic"),
             hedging=item.flag_of("hedging"),
-            feelings=_feelings(item),
-            only=item.choice_of("only", KINDS_OF_CLAUSE, ""),
             marker=Marker(
                 name,
                 lean=item.number_of("lean", -1, 1, 0.0),
                 weight=item.number_of("weight", 0, 100, 1.0),
+                polarity=item.choice_of("polarity", POLARITIES, ""),
+                feelings=_feelings(item),
+                only=item.choice_of("only", KINDS_OF_CLAUSE, ""),
             ),
         )
         item.done()

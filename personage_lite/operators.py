@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence, Set
 from math import exp, log
-from typing import NamedTuple, Protocol, TypeVar
+from typing import Final, NamedTuple, Protocol, TypeVar
 
 from personage_lite.lexicon import Lexicon, Marker, Rating
 from personage_lite.plan import Made, SentencePlan
@@ -23,10 +23,10 @@ _LEAST_WEIGHT = 0.45
 _LEAST_LEAN = log(_LEAST_WEIGHT) / _PULL
 # Who is neither introvert nor extravert rather leaves the words of both ends to them: a word
 # whose lean is beyond this, or beyond what X adds to it, loses weight by a factor e^(-excess * 8).
-_MOST_LEAN = 0.45
-_EXCESS = -8.0
+_MOST_LEAN: Final = 0.45
+_EXCESS: Final = -8.0
 # What is left of a word's weight for each of the last turns that used it.
-_WORN = 0.25
+_WORN: Final = 0.25
 
 
 class OperatorDraws:
@@ -50,7 +50,7 @@ class OperatorDraws:
     @property
     def announced(self) -> bool:
         """Whether the utterance has announced something already: "Wait till you hear this!"."""
-        return not self._turn.lexicon.attention.isdisjoint(self._used)
+        return not self._turn.lexicon.attention.texts.isdisjoint(self._used)
 
     def uniform(self, name: str) -> float:
         """Return the number in [0, 1) of this operator, place and `name`."""
@@ -66,17 +66,21 @@ class OperatorDraws:
 
     def marker(self, markers: Sequence[Marker]) -> Marker | None:
         """Return a marker that suits X, rather a fresh one; None if this utterance has used all."""
-        used, doubts = self._used, self._turn.lexicon.doubts
-        if self.announced:
-            used = used | self._turn.lexicon.attention
-        if not doubts.isdisjoint(used):
-            used = used | doubts
-        x = self._turn.x  # as in `sounds_right`, without a call for each
-        able = [m for m in markers if m.text not in used and m.lean * x >= _LEAST_LEAN]
+        used, lexicon = self._used, self._turn.lexicon
+        # As in `sounds_right`, without a call for each.
+        x, least = self._turn.x, _LEAST_LEAN
+        able = [m for m in markers if m.text not in used and m.lean * x >= least]
         if used:
-            # Nor does one begin twice with the same word: "Oh, …! Oh, and …".
-            begun = {text.partition(" ")[0].rstrip(",") for text in used if text}
-            able = [m for m in able if not (m.after and m.text.partition(" ")[0] in begun)]
+            groups = (lexicon.attention, lexicon.doubts)
+            said = [group for group in groups if not group.texts.isdisjoint(used)]
+            for group in said:
+                able = [m for m in able if m.text not in group.texts]
+            if any(m.after for m in able):
+                # Nor does one begin twice with the same word: "Oh, …! Oh, and …".
+                begun = {text.partition(" ")[0].rstrip(",") for text in used if text}
+                for group in said:
+                    begun |= group.beginnings
+                able = [m for m in able if not (m.after and m.text.partition(" ")[0] in begun)]
         if len(able) < 2:
             return able[0] if able else None
         return pick(self.uniform("marker"), able, self.weights(able))
@@ -184,14 +188,14 @@ def run_operators(
     everywhere = f"sentences 1 to {count}" if count > 1 else "sentence 1"
     words = {word for sentence in sentences for word in sentence.words}
     words.update(_leads(sentences))
-    whole_numbers, lexicon = turn.draws.whole_numbers, turn.lexicon
+    draws, lexicon = turn.draws, turn.lexicon
     parameters, worn = turn.parameters, turn.worn
     for name, apply, limit in operators:
         # Asked first for what most turns need: nothing has been worn yet.
         probability = turn.probability(name) if worn else parameters.get(name, 0.0)
         if probability <= 0.0:
             continue
-        row = whole_numbers(name, count)
+        row = draws.whole_numbers(name, count)
         lowest = min(row) * SCALE
         if lowest >= probability:
             decisions.append((name, stage, probability, lowest, "not_drawn", everywhere, "", ""))

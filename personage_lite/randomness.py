@@ -8,21 +8,21 @@ whatever Python's own hash seed is.
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from hashlib import blake2b
 from itertools import accumulate
 from struct import Struct
-from typing import TypeVar
+from typing import Final, TypeVar
 
 T = TypeVar("T")
 # What makes a number in [0, 1) of a whole one below 2^64.
-SCALE = 1.0 / (1 << 64)
+SCALE: Final = 1.0 / (1 << 64)
 # How many numbers one hash of 64 bytes holds, and how to read the first so many of them.
-_ROW = 8
-_FIRST = tuple(Struct(f">{count}Q").unpack_from for count in range(_ROW + 1))
+_ROW: Final = 8
+_FIRST: Final = tuple(Struct(f">{count}Q").unpack_from for count in range(_ROW + 1))
 # How many bytes of a hash make Gaussian numbers, three each, and the deviation of their sum.
-_GAUSS = 63
-GAUSS_SCALE = 128.0
+_GAUSS: Final = 63
+GAUSS_SCALE: Final = 128.0
 
 
 class Draws:
@@ -44,7 +44,8 @@ class Draws:
         """Return the number in [0, 1) that belongs to `name`."""
         hasher = self._uniform.copy()
         hasher.update(name.encode())
-        return int.from_bytes(hasher.digest(), "big") * SCALE
+        number: int = _FIRST[1](hasher.digest())[0]
+        return number * SCALE
 
     def numbers(self, name: str, count: int) -> list[float]:
         """Return `count` numbers in [0, 1) that belong to `name`, eight at the cost of one.
@@ -64,9 +65,9 @@ class Draws:
 
     def gauss(self, count: int) -> list[float]:
         """Return `count` numbers of mean 0 and deviation 1, within ±3."""
-        return self.around([0.0] * count, [1.0 / GAUSS_SCALE] * count)
+        return self.around((0.0,) * count, (1.0 / GAUSS_SCALE,) * count)
 
-    def around(self, means: Sequence[float], deviations: Iterable[float]) -> list[float]:
+    def around(self, means: tuple[float, ...], deviations: tuple[float, ...]) -> list[float]:
         """Return a number for each mean; the deviations are given in parts of `GAUSS_SCALE`.
 
         Each is the sum of three even bytes: near enough to normal, and exact on every machine.
@@ -77,10 +78,12 @@ class Draws:
             hasher = self._row.copy()
             hasher.update(b"gauss/%d" % (len(even) // 3))
             even += hasher.digest()[:_GAUSS]
+        # Without `strict` a compiled build makes a plain loop of it.
+        first, second, third = even[0::3], even[1::3], even[2::3]
         return [
             mean + deviation * (one + two + three - 382.5)
-            for mean, deviation, one, two, three in zip(
-                means, deviations, even[0::3], even[1::3], even[2::3], strict=False
+            for mean, deviation, one, two, three in zip(  # noqa: B905
+                means, deviations, first, second, third
             )
         ]
 

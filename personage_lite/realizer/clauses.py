@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, get_args
+from typing import TYPE_CHECKING, Final, get_args
 
 from personage_lite.errors import shown
 from personage_lite.realizer.agreement import THIRD_SINGULAR, agreement, existential_agreement
@@ -25,7 +25,7 @@ from personage_lite.realizer.verb_group import verb_group
 if TYPE_CHECKING:
     from personage_lite.realizer.syntax import Syntax
 
-_MOODS = frozenset(get_args(Mood))
+_MOODS: Final = frozenset(get_args(Mood))
 
 
 def main_clause(

@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Final, cast
 
-from personage_lite.realizer.agreement import (
-    agreement,
-    determiner_form,
-    number_and_kind,
-    takes_pair,
-)
+from personage_lite.realizer.agreement import agreement
 from personage_lite.realizer.clauses import relative_clause
 from personage_lite.realizer.features import SpecificationError
 from personage_lite.realizer.grammar import LIMITING, OPINION, UNLISTED, Grammar
 from personage_lite.realizer.inflection import Countability
+from personage_lite.realizer.number import determiner_form, number_and_kind, takes_pair
 from personage_lite.realizer.numerals import cardinal, ordinal
 from personage_lite.realizer.orthography import INDEFINITE
 from personage_lite.realizer.phrases import attribute, joined_items, number_said, possess
@@ -36,7 +32,7 @@ if TYPE_CHECKING:
     from personage_lite.realizer.syntax import Syntax
 
 # More is a mistake, and could fill the memory.
-_MOST_STUTTERS = 20
+_MOST_STUTTERS: Final = 20
 
 
 def noun_phrase(
@@ -87,7 +83,8 @@ def noun_phrase(
         for modifier in phrase.modifiers:
             syntax.phrase(out, modifier)
         possess(out, plural)
-        phrase = phrase._replace(modifiers=())  # said before the 's
+        if phrase.modifiers:
+            phrase = phrase._replace(modifiers=())  # said before the 's
     _after_noun(syntax, out, phrase)
 
 

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from personage_lite.realizer.article import indefinite_article
 from personage_lite.realizer.features import SpecificationError, unprintable
 from personage_lite.realizer.grammar import Grammar
 
 # Stands for "a" or "an" until the next word is known; no word can look like it. What follows it
 # in the same token is what the article goes by instead of that word.
-INDEFINITE = "\x00"
-MARKS = frozenset((",", ".", "!", "?", "…", ":", ";", ")"))
-_ENDING = frozenset(".!?")
-_CLOSING = frozenset(",.!?…")
+INDEFINITE: Final = "\x00"
+MARKS: Final = frozenset((",", ".", "!", "?", "…", ":", ";", ")"))
+_ENDING: Final = frozenset(".!?")
+_CLOSING: Final = frozenset(",.!?…")
 # What no word begins with but with a mark: looked at first, for it is seldom there.
-_UNUSUAL = frozenset(",.!?…:;)(–—\x00")
-_PARENTHETIC = ("–", "—", "(")
+_UNUSUAL: Final = frozenset(",.!?…:;)(–—\x00")
+_PARENTHETIC: Final = ("–", "—", "(")
 
 
 def write(tokens: list[str], grammar: Grammar) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from personage_lite.realizer.agreement import Agreement
 from personage_lite.realizer.grammar import Grammar
@@ -22,7 +22,7 @@ from personage_lite.realizer.verb_group import VerbGroup, verb_group
 if TYPE_CHECKING:
     from personage_lite.realizer.syntax import Syntax
 
-_SWAPPED = {"“": "‘", "”": "’", "‘": "“", "’": "”"}
+_SWAPPED: Final = {"“": "‘", "”": "’", "‘": "“", "’": "”"}
 
 
 def predicate(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from personage_lite.realizer.clauses import content_clause, main_clause
 from personage_lite.realizer.orthography import abbreviated
@@ -21,8 +21,8 @@ from personage_lite.realizer.tags import raises_negation, tag_question, tagged_c
 if TYPE_CHECKING:
     from personage_lite.realizer.syntax import Syntax
 
-_ENDS = frozenset(".!?…")
-_TERMINALS = {"interrogative": "?", "exclamative": "!"}
+_ENDS: Final = frozenset(".!?…")
+_TERMINALS: Final = {"interrogative": "?", "exclamative": "!"}
 
 
 def sentence(syntax: Syntax, spec: Sentence) -> list[str]:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, cast
 
-from personage_lite.realizer.agreement import agreement, existential_agreement, is_plural
+from personage_lite.realizer.agreement import agreement, existential_agreement
 from personage_lite.realizer.grammar import Grammar
+from personage_lite.realizer.number import is_plural
 from personage_lite.realizer.specification import (
     AdjectivePhrase,
     Cased,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from personage_lite.errors import nearest, shown
 from personage_lite.realizer.agreement import Agreement
 from personage_lite.realizer.features import SpecificationError
@@ -12,8 +14,8 @@ from personage_lite.realizer.words import VerbForm, inflect_verb, spell
 # A verb, the words after it, and the form it gives the next verb: be, going to, base.
 _Link = tuple[str, tuple[str, ...], VerbForm]
 # Looked up, so that a tense that is none is not taken for the present.
-_PAST = {"present": False, "past": True, "future": False}
-_FORMS: dict[str, VerbForm] = {
+_PAST: Final = {"present": False, "past": True, "future": False}
+_FORMS: Final[dict[str, VerbForm]] = {
     "finite": "base",  # of an imperative
     "infinitive": "base",
     "bare_infinitive": "base",

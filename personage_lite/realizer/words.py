@@ -2,25 +2,25 @@
 
 from __future__ import annotations
 
-from typing import Literal, TypeAlias
+from typing import Final, Literal, TypeAlias
 
 from personage_lite.realizer.inflection import Countability, Inflection
 
 VerbForm: TypeAlias = Literal["base", "third", "past", "participle", "gerund"]
 Degree: TypeAlias = Literal["positive", "comparative", "superlative"]
 
-_VOWELS = "aeiou"
-_AEIOU = frozenset(_VOWELS)
-_AEIOUL = frozenset("aeioul")
-_AEIOUY = frozenset("aeiouy")
+_VOWELS: Final = "aeiou"
+_AEIOU: Final = frozenset(_VOWELS)
+_AEIOUL: Final = frozenset("aeioul")
+_AEIOUY: Final = frozenset("aeiouy")
 # Consonants become the spaces between runs of vowels.
-_VOWELS_ALONE = {ord(letter): " " for letter in "bcdfghjklmnpqrstvwxz'.-"}
-_NATIONALS = ("woman", "chman", "shman", "tsman")
+_VOWELS_ALONE: Final = {ord(letter): " " for letter in "bcdfghjklmnpqrstvwxz'.-"}
+_NATIONALS: Final = ("woman", "chman", "shman", "tsman")
 # Endings of words made from a verb in -ise or -ize.
-_DERIVED = ("ation", "er")
-_HISSES = ("s", "x", "z", "ch", "sh")
+_DERIVED: Final = ("ation", "er")
+_HISSES: Final = ("s", "x", "z", "ch", "sh")
 # Two vowels in spelling that are two in sound: dial, duel, victual.
-_HIATUS = ("ial", "uel", "ual")
+_HIATUS: Final = ("ial", "uel", "ual")
 
 
 # Syllables and spelling

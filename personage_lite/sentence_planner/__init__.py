@@ -7,7 +7,7 @@ into deep syntax. Source: Mairesse & Walker 2011, section 4; the paper, section 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from personage_lite.facts import Character
 from personage_lite.operators import Operator, Turn, run_operators
@@ -32,7 +32,7 @@ from personage_lite.sentence_planner.templates import PlainClauses, select_templ
 
 # The order in which pragmatic markers are offered: what changes a clause comes before what
 # stands around the sentence, for the latter looks at the former.
-PRAGMATIC_MARKERS: tuple[Operator, ...] = (
+PRAGMATIC_MARKERS: Final[tuple[Operator, ...]] = (
     Operator("subject_implicitness", rewording.subject_implicitness, limit=2),
     Operator("negation", rewording.negation, limit=1),
     Operator("weakened_positive_content", hedges.weakened_positive_content, limit=2),
@@ -49,6 +49,8 @@ PRAGMATIC_MARKERS: tuple[Operator, ...] = (
     Operator("exclamation", speech.exclamation, limit=4),
     Operator("in_group_marker", speech.in_group_marker, limit=1),
 )
+# What surrounds the first sentence that states a fact.
+_OPENING: Final = SentencePlan(first=True)
 
 
 class PlannedSentences(NamedTuple):
@@ -88,9 +90,9 @@ def plan_sentences(
     facts: list[str] = []
     marked = {*used}
     for index, sentence in enumerate(sentences):
-        parts = words.clauses(sentence.clauses, index)
+        parts, contracted = words.clauses(sentence.clauses, index)
         if sentence.fragment is None:
-            parts = referring.clauses(parts)
+            parts = referring.clauses(parts, contracted)
         elif any(isinstance(part, Cased) for part in sentence.fragment.parts):
             referring.fragment(sentence.fragment)
         for part in parts:
@@ -101,15 +103,12 @@ def plan_sentences(
     decisions += referring.decisions
     marked.update(words.words)
     marked.update([name for name, _, _, _, status, _, _, _ in decisions if status == "applied"])
-    return PlannedSentences(
-        sentences=tuple(assembled),
-        facts=tuple(dict.fromkeys(facts)),
-        made=tuple(decisions),
-        markers=frozenset(marked),
-        mentioned=referring.said,
-        focus=referring.focus,
-        focus_subject=referring.focus_subject,
-    )
+    told = tuple(dict.fromkeys(facts))
+    made, markers = tuple(decisions), frozenset(marked)
+    focus = (referring.focus, referring.focus_subject)
+    # Made directly, here and below: a named tuple's own maker takes twice as long.
+    fields = (tuple(assembled), told, made, markers, referring.said, *focus)
+    return tuple.__new__(PlannedSentences, fields)
 
 
 def aggregate(
@@ -120,7 +119,7 @@ def aggregate(
     An operator whose constraint does not hold is struck off and another one drawn.
     """
     done: list[SentencePlan] = []
-    current = SentencePlan((clauses[0],), first=True)
+    current = tuple.__new__(SentencePlan, ((clauses[0],), *_OPENING[1:]))
     decisions: list[Made] = []
     for index, (clause, link) in enumerate(zip(clauses[1:], links, strict=True)):
         # Where clauses changed places, what the relation holds of is no longer the last one.

@@ -6,7 +6,7 @@ section 4.3; Reiter & Dale 2000, chapter 5.
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from personage_lite.facts import entity_of
 from personage_lite.lexicon import Lexicon
@@ -44,7 +44,9 @@ from personage_lite.sentence_planner.joining import (
     says,
 )
 
-_MOST_MERGED = 3
+_MOST_MERGED: Final = 3
+# A sentence with nothing around its clauses.
+_BARE: Final = SentencePlan()
 
 
 # Without a cue
@@ -52,7 +54,7 @@ _MOST_MERGED = 3
 
 def period(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | None:
     """Leave two sentences."""
-    return (pair.left, SentencePlan((pair.right,)))
+    return (pair.left, tuple.__new__(SentencePlan, ((pair.right,), *_BARE[1:])))
 
 
 def conjunction(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Joint | None:
@@ -272,9 +274,9 @@ class Joiner(NamedTuple):
 
 
 # Those that do not say which relation holds.
-UNCUED = ("period", "conjunction")
+UNCUED: Final = ("period", "conjunction")
 # For each relation, the operators that compete for it.
-COMPETING: dict[str, tuple[Joiner, ...]] = {
+COMPETING: Final[dict[str, tuple[Joiner, ...]]] = {
     "none": (Joiner("period", period),),
     "infer": (
         Joiner("period", period),

@@ -5,6 +5,8 @@ Source: Mairesse & Walker 2011, section 4.3.
 
 from __future__ import annotations
 
+from typing import Final
+
 from personage_lite.facts import OPPOSING_KINDS
 from personage_lite.lexicon import Lexicon, Marker
 from personage_lite.operators import OperatorDraws
@@ -21,7 +23,7 @@ from personage_lite.sentence_planner.joining import (
 )
 
 # Relations that one sentence marks only once.
-_ONCE = (*OPPOSING_KINDS, "sequence")
+_ONCE: Final = (*OPPOSING_KINDS, "sequence")
 
 
 def _cued(pair: Pair, markers: tuple[Marker, ...], rng: OperatorDraws) -> Joint | None:

@@ -8,6 +8,7 @@ structure, and Mairesse & Walker 2011, section 4.3, on cue words.
 from __future__ import annotations
 
 from itertools import pairwise
+from typing import Final
 
 from personage_lite.facts import Character, entity_of
 from personage_lite.lexicon import Marker
@@ -19,7 +20,7 @@ from personage_lite.sentence_planner.fitting import suits
 from personage_lite.sentence_planner.joining import says
 from personage_lite.sentence_planner.templates import lead_text, topic_told
 
-STAGE = "aggregation"
+STAGE: Final = "aggregation"
 
 
 def with_openings(
@@ -75,7 +76,8 @@ def with_openings(
         marker = rng.marker(turn.lexicon.markers["request_confirmation"])
         if marker is not None:
             words = lead_text(marker.text, character.entity.phrase)
-            placed[0] = placed[0]._replace(answers=marker.after == "?")
+            if marker.after == "?":
+                placed[0] = placed[0]._replace(answers=True)
             asked = SentencePlan(fragment=words, terminal=marker.after, words=(marker.text,))
             placed.insert(0, asked)
     return placed, decisions

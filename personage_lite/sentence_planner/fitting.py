@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from personage_lite.lexicon import Marker, Template
+from personage_lite.lexicon import Marker
 from personage_lite.plan import ClausePlan
 from personage_lite.realizer.specification import AdjectivePhrase
 from personage_lite.sentence_planner.joining import describes
 
 
-def suits(words: Marker | Template, clause: ClausePlan) -> bool:
-    """Whether a marker or template may be said of a clause, by what its entry asks for.
+def suits(words: Marker, clause: ClausePlan) -> bool:
+    """Whether a marker, or a template's, may be said of a clause, by what its entry asks for.
 
     That is its polarity, its feeling, and whether it is a quality, a state, a deed or a habit.
     """

@@ -7,29 +7,32 @@ section 4.4; the paper, section IV-C ("weakens positive content").
 
 from __future__ import annotations
 
+from typing import Final
+
 from personage_lite.lexicon import Lexicon, Marker
 from personage_lite.operators import OperatorDraws
 from personage_lite.plan import ClausePlan, Frame, SentencePlan
 from personage_lite.realizer.specification import AdjectivePhrase, Opener, Phrase, Text
 from personage_lite.sentence_planner.fitting import suits
 
-SOFTENED, EMPHASIZED = "softened", "emphasized"
+SOFTENED: Final = "softened"
+EMPHASIZED: Final = "emphasized"
 # Said with a doubt around it: no second doubt there, and nothing loud.
-HEDGED = "hedged"
-_MOST_OPENERS = 1
+HEDGED: Final = "hedged"
+_MOST_OPENERS: Final = 1
 # "Actually" before a deed soon tires: how often it is said where it fits.
-_DEEDS_STRESSED = 0.4
+_DEEDS_STRESSED: Final = 0.4
 # The smallest number that "around" goes before.
-_GUESSED = 10
+_GUESSED: Final = 10
 # Operators look at the clauses in the order they are spoken and change the first that fits.
-_SAID = ("main", "coordinate", "subordinate", "fronted")
+_SAID: Final = ("main", "coordinate", "subordinate", "fronted")
 
 
 def replaced(plan: SentencePlan, index: int, clause: ClausePlan, word: str) -> SentencePlan:
     """Return a sentence with one clause changed and a marker word noted."""
     clauses = (*plan.clauses[:index], clause, *plan.clauses[index + 1 :])
-    # Made anew: `_replace` takes twice as long, and nearly every operator ends here.
-    return SentencePlan(clauses, *plan[1:12], (*plan.words, word))
+    # Made anew: `_replace` takes several times as long, and nearly every operator ends here.
+    return tuple.__new__(SentencePlan, (clauses, *plan[1:12], (*plan.words, word)))
 
 
 def opener_fits(plan: SentencePlan) -> bool:

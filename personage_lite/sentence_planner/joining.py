@@ -5,7 +5,7 @@ Source: Mairesse & Walker 2011, section 4.3; Reiter & Dale 2000, chapter 5.
 
 from __future__ import annotations
 
-from typing import NamedTuple, Protocol, TypeAlias
+from typing import Final, Protocol, TypeAlias
 
 from personage_lite.facts import OPPOSING_KINDS
 from personage_lite.lexicon import Lexicon, Marker
@@ -14,23 +14,25 @@ from personage_lite.plan import STATES, ClausePlan, Link, SentencePlan
 from personage_lite.realizer.specification import AdjectivePhrase, Clause, Text
 
 # The most clauses in a sentence, where a cue word binds them and where only "and" does.
-MOST_CUED = 3
-MOST_UNCUED = 2
-_SHARED_SUBJECT = 0.5
-_OPPOSED = (("good", "bad"), ("bad", "good"))
+MOST_CUED: Final = 3
+MOST_UNCUED: Final = 2
+_SHARED_SUBJECT: Final = 0.5
+_OPPOSED: Final = (("good", "bad"), ("bad", "good"))
 
 
-class Pair(NamedTuple):
-    """The sentence so far, the clause that comes next, and what holds between them."""
+class Pair:
+    """The sentence so far, the clause that comes next, and what holds between them.
 
-    left: SentencePlan
-    right: ClausePlan
-    link: Link
+    `last` is the clause that the right one follows.
+    """
 
-    @property
-    def last(self) -> ClausePlan:
-        """The clause that the right one follows."""
-        return self.left.clauses[-1]
+    __slots__ = ("last", "left", "link", "right")
+
+    def __init__(self, left: SentencePlan, right: ClausePlan, link: Link) -> None:
+        self.left = left
+        self.right = right
+        self.link = link
+        self.last = left.clauses[-1]
 
 
 Joint: TypeAlias = tuple[SentencePlan, ...]
@@ -61,8 +63,9 @@ def plain(plan: ClausePlan) -> bool:
 def extend(sentence: SentencePlan, clause: ClausePlan, word: str = "") -> Joint:
     """Return a sentence with one more clause, and the cue word that joined it."""
     words = (*sentence.words, word) if word else sentence.words
-    # Made anew: `_replace` takes twice as long.
-    return (SentencePlan((*sentence.clauses, clause), *sentence[1:12], words),)
+    # Made anew, here and below: `_replace` takes several times as long.
+    fields = ((*sentence.clauses, clause), *sentence[1:12], words)
+    return (tuple.__new__(SentencePlan, fields),)
 
 
 def replace_last(sentence: SentencePlan, clause: ClausePlan, word: str = "") -> Joint:
@@ -94,8 +97,8 @@ def coordinate(pair: Pair, cue: Marker, rng: OperatorDraws, most: int) -> Joint 
         and not says(last.clause, cue.text)  # not "… the Hatter and the Hare and laughs"
         and rng.uniform("shared_subject") < _SHARED_SUBJECT
     )
-    joined = right._replace(link="coordinate", cue=cue.text, shared_subject=shared)
-    return extend(left, joined, cue.text)
+    fields = (*right[:5], "coordinate", cue.text, shared, *right[8:])
+    return extend(left, tuple.__new__(ClausePlan, fields), cue.text)
 
 
 def says(clause: Clause, word: str) -> bool:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import exp
+from typing import Final
 
 from personage_lite.lexicon import Concept, Word
 from personage_lite.operators import Turn
@@ -24,12 +25,15 @@ from personage_lite.realizer.specification import (
 )
 from personage_lite.sentence_planner.rewording import ANTONYM
 
-STAGE = "lexical_choice"
+STAGE: Final = "lexical_choice"
 # How strongly each property of a word counts, per unit that its parameter is off the middle.
-_FREQUENCY, _LENGTH, _STRENGTH, _EMOTION = 8.0, 0.4, 4.0, 3.0
-_WORN = 0.4
+_FREQUENCY: Final = 8.0
+_LENGTH: Final = 0.4
+_STRENGTH: Final = 4.0
+_EMOTION: Final = 3.0
+_WORN: Final = 0.4
 # What a complement must be to hold concepts. (Joined here: "|" takes its time.)
-_WORDED = (AdjectivePhrase, Coordination)
+_WORDED: Final = (AdjectivePhrase, Coordination)
 
 
 class LexicalChoice:
@@ -117,8 +121,8 @@ class LexicalChoice:
             return Coordination(tuple(items), phrase.conjunction)
         return phrase
 
-    def clause(self, plan: ClausePlan, contracted: bool) -> ClausePlan:
-        """Return a clause plan in words."""
+    def clause(self, plan: ClausePlan) -> ClausePlan:
+        """Return a clause plan in words; most often that is the plan itself."""
         clause = plan.clause
         verb, particle = clause.verb, clause.particle
         said, asides = clause.complement, clause.asides
@@ -130,10 +134,11 @@ class LexicalChoice:
             said = self.phrase(said, plan.role == "restatement")
         if asides:
             asides = tuple(self._aside(aside) for aside in asides)
+        elif said is clause.complement and verb == clause.verb and particle == clause.particle:
+            return plan
         # Made anew, here and below, and unchecked: that is several times as fast.
         head = (verb, clause.subject, particle, clause.indirect_object, clause.object, said)
-        tail = (contracted or clause.contracted, *clause[21:])
-        worded = tuple.__new__(Clause, (*head, clause.adverbials, asides, *clause[8:20], *tail))
+        worded = tuple.__new__(Clause, (*head, clause.adverbials, asides, *clause[8:]))
         return tuple.__new__(ClausePlan, (worded, *plan[1:]))
 
     def _aside(self, phrase: Phrase) -> Phrase:
@@ -150,8 +155,10 @@ class LexicalChoice:
                 parts.append(part)
         return Text(tuple(parts))
 
-    def clauses(self, plans: tuple[ClausePlan, ...], index: int) -> tuple[ClausePlan, ...]:
-        """Return the clauses of a sentence in words, contracted or not."""
+    def clauses(
+        self, plans: tuple[ClausePlan, ...], index: int
+    ) -> tuple[tuple[ClausePlan, ...], bool]:
+        """Return the clauses of a sentence in words, and whether they are contracted."""
         chance = self._contractions
         contracted = chance >= 1.0
         if 0.0 < chance < 1.0:
@@ -160,4 +167,4 @@ class LexicalChoice:
             status: Status = "applied" if contracted else "not_drawn"
             target = f"sentence {index + 1}"
             self.decisions.append(("contractions", STAGE, chance, draw, status, target, "", ""))
-        return tuple([self.clause(plan, contracted) for plan in plans])
+        return tuple([self.clause(plan) for plan in plans]), contracted

@@ -7,16 +7,18 @@ Joshi & Weinstein 1995; Reiter & Dale 2000, section 5.4).
 
 from __future__ import annotations
 
+from typing import Final
+
 from personage_lite.facts import Character, Entity, entity_of
 from personage_lite.operators import Turn
 from personage_lite.plan import ClausePlan, Made
 from personage_lite.realizer.specification import Cased, Clause, NounPhrase, Phrase, Text
 
-STAGE = "referring_expressions"
+STAGE: Final = "referring_expressions"
 # Across turns a pronoun is rarer than within one.
-_ACROSS_TURNS = 0.6
-_DESCRIPTION = 0.02
-_SHORT_AGAIN = 0.85
+_ACROSS_TURNS: Final = 0.6
+_DESCRIPTION: Final = 0.02
+_SHORT_AGAIN: Final = 0.85
 
 
 class ReferringExpressions:
@@ -188,8 +190,12 @@ class ReferringExpressions:
         self._said.update(self._here)
         self._end()
 
-    def clauses(self, plans: tuple[ClausePlan, ...]) -> tuple[ClausePlan, ...]:
-        """Return the clauses of a sentence with their mentions in their forms."""
+    def clauses(self, plans: tuple[ClausePlan, ...], contracted: bool) -> tuple[ClausePlan, ...]:
+        """Return the clauses of a sentence with their mentions in their forms.
+
+        They are made anew here, `contracted` if that is so.
+        """
+        self._contracted = contracted
         self._here = []
         self._part = None
         resolved = self._clauses(plans)
@@ -269,7 +275,6 @@ class ReferringExpressions:
         if isinstance(subject, NounPhrase):
             owner = subject.entity or entity_of(subject.possessor)
         self._clause_subject = owner
-        self._contracted = clause.contracted
         indirect, direct, complement = clause.indirect_object, clause.object, clause.complement
         if isinstance(indirect, Text):
             indirect = self._text(indirect, alone=len(indirect.parts) == 1)
@@ -284,7 +289,8 @@ class ReferringExpressions:
             asides = tuple([self._phrase(phrase) for phrase in asides])
         self._subject = owner or self._subject
         head = (clause.verb, subject, clause.particle, indirect, direct, complement)
-        return tuple.__new__(Clause, (*head, adverbials, asides, *clause[8:]))
+        tail = (self._contracted or clause.contracted, *clause[21:])
+        return tuple.__new__(Clause, (*head, adverbials, asides, *clause[8:20], *tail))
 
     def _phrase(self, phrase: Phrase) -> Phrase:
         return self._text(phrase) if isinstance(phrase, Text) else phrase
@@ -306,8 +312,8 @@ class ReferringExpressions:
                 # "Alice doesn't like standing close to her", if it was she who was talked about.
                 objective = objective and (alone or part.phrase.entity == self._subject)
                 form = self.form(part.phrase, False, bound, part.case == "possessive", objective)
-                parts.append(Cased(form, part.case))
+                parts.append(tuple.__new__(Cased, (form, part.case)))
                 changed = True
             else:
                 parts.append(part)
-        return Text(tuple(parts), self._contracted) if changed else text
+        return tuple.__new__(Text, (tuple(parts), self._contracted)) if changed else text

@@ -5,6 +5,8 @@ Source: Mairesse & Walker 2011, section 4.4 (negation insertion, subject implici
 
 from __future__ import annotations
 
+from typing import Final
+
 from personage_lite.facts import entity_of
 from personage_lite.lexicon import Lexicon
 from personage_lite.operators import OperatorDraws
@@ -13,7 +15,7 @@ from personage_lite.realizer.specification import AdjectivePhrase, NounPhrase
 from personage_lite.sentence_planner.hedges import replaced
 
 # The adjective is a word already, not a concept.
-ANTONYM = "antonym"
+ANTONYM: Final = "antonym"
 
 
 def negation(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> SentencePlan | None:

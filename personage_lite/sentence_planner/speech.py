@@ -5,6 +5,8 @@ Source: Mairesse & Walker 2011, section 4.4; the paper, section IV-C and figure 
 
 from __future__ import annotations
 
+from typing import Final
+
 from personage_lite.lexicon import Lexicon
 from personage_lite.operators import OperatorDraws
 from personage_lite.plan import Frame, SentencePlan
@@ -25,12 +27,12 @@ from personage_lite.sentence_planner.hedges import (
 )
 from personage_lite.sentence_planner.joining import describes
 
-_TWICE = 0.01
-_BEFORE_ADJECTIVE = 0.5
-_MOST_MARKS = 1
+_TWICE: Final = 0.01
+_BEFORE_ADJECTIVE: Final = 0.5
+_MOST_MARKS: Final = 1
 # Of the sentences that leave everybody cold, the share that can be exclaimed all the same.
-_PLAINLY_EXCLAIMED = 0.9
-STUTTER = "stutter"
+_PLAINLY_EXCLAIMED: Final = 0.9
+STUTTER: Final = "stutter"
 
 
 def _opener(
@@ -209,7 +211,8 @@ def exclamation(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> 
         return None  # who is moved says it softly
     if not felt and rng.uniform("plain") >= _PLAINLY_EXCLAIMED:
         return None
-    return SentencePlan(*plan[:10], "!", *plan[11:])
+    # Made anew: `_replace` takes several times as long.
+    return tuple.__new__(SentencePlan, (*plan[:10], "!", *plan[11:]))
 
 
 def in_group_marker(

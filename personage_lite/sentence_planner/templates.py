@@ -6,6 +6,8 @@ polarity).
 
 from __future__ import annotations
 
+from typing import Final
+
 from personage_lite.facts import TELLING_KINDS, Character, Fact, entity_of
 from personage_lite.lexicon import TOPIC, Lexicon, Template
 from personage_lite.operators import OperatorDraws, Turn
@@ -14,13 +16,13 @@ from personage_lite.realizer.specification import AdjectivePhrase, Cased, NounPh
 from personage_lite.sentence_planner.fitting import suits
 from personage_lite.sentence_planner.hedges import EMPHASIZED, HEDGED
 
-STAGE = "syntactic_template_selection"
+STAGE: Final = "syntactic_template_selection"
 # In this order a message is offered a template; the first that is drawn and fits is taken.
-_PARAMETERS = ("self_references", "template_polarity", "syntactic_complexity")
+_PARAMETERS: Final = ("self_references", "template_polarity", "syntactic_complexity")
 # Positive templates of no person are rarer than first-person ones.
-_IMPERSONAL = 0.12
+_IMPERSONAL: Final = 0.12
 # One frame after another tires: this many messages on, the next can stand.
-_FRAMES_APART = 3
+_FRAMES_APART: Final = 3
 
 
 class PlainClauses:
@@ -101,7 +103,7 @@ def fits(template: Template, plan: ClausePlan) -> bool:
     if template.hedging and form == "clause" and (plan.polarity == "neutral" or clause.negated):
         return False  # nobody has a view on a plain fact; one says "I don't think she is"
     quality = isinstance(clause.complement, AdjectivePhrase)
-    if not suits(template, plan):
+    if not suits(template.marker, plan):
         return False
     if template.emphatic and quality and plan.strength != "extremely":
         return False  # much ado about a plain word
