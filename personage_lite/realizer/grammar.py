@@ -68,6 +68,7 @@ class Grammar(NamedTuple):
 
     words: FunctionWords
     pronouns: dict[tuple[int, str, str], dict[str, str]]
+    object_pronouns: tuple[str, ...]
     relative_pronouns: dict[str, dict[str, str]]
     relative_possessive: str
     be: dict[tuple[int, bool, bool], str]  # by person, plural, past
@@ -148,11 +149,13 @@ def load_grammar(
 def _closed_words(node: Node) -> dict[str, object]:
     """Return what grammar.yaml holds, by the fields of `Grammar`."""
     words = _words(node.need("function_words"), FunctionWords._fields)
+    pronouns = _pronouns(node.need("pronouns"))
     relative = node.need("relative_pronouns")
     let = _words(node.need("let"), ("full", "contracted"))
     found: dict[str, object] = {
         "words": FunctionWords(**words),
-        "pronouns": _pronouns(node.need("pronouns")),
+        "pronouns": pronouns,
+        "object_pronouns": tuple({forms["objective"]: "" for forms in pronouns.values()}),
         "relative_pronouns": {
             kind: _words(relative.need(kind), RELATIVE_ROLES) for kind in ("animate", "inanimate")
         },

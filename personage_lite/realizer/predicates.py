@@ -178,7 +178,7 @@ def arguments(
         syntax.phrase(out, clause.subject)
     particle_last = (
         clause.particle
-        and _is_pronoun(clause.object)
+        and _is_pronoun(clause.object, syntax.grammar)
         and clause.particle not in syntax.grammar.inflection.prepositions
     )
     if clause.particle and not particle_last:
@@ -252,10 +252,12 @@ def _reflexive(said: Phrase, entity: str) -> Phrase:
     return said
 
 
-def _is_pronoun(phrase: Phrase | None) -> bool:
+def _is_pronoun(phrase: Phrase | None, grammar: Grammar) -> bool:
     while isinstance(phrase, Text) and len(phrase.parts) == 1:
         part = phrase.parts[0]
         if isinstance(part, Cased):
             return part.case == "reflexive" or part.phrase.pronoun
         phrase = part
+    if isinstance(phrase, str):
+        return phrase in grammar.object_pronouns
     return isinstance(phrase, NounPhrase) and (phrase.pronoun or phrase.reflexive)

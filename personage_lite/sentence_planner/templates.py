@@ -155,10 +155,12 @@ def select_templates(
     clauses: list[ClausePlan] = []
     decisions: list[Made] = []
     used: list[str] = []
-    # What the utterance opens with is frame enough for the first message.
-    framed_before = plan.rejection or plan.mitigation or plan.confirmation
-    since = _FRAMES_APART
     topic_before = topic_told(character, turn)
+    # What the utterance opens with is frame enough for the first message; and who somebody is
+    # comes plain: nobody loves that "she's a little girl".
+    opened = plan.rejection or plan.mitigation or plan.confirmation
+    framed_before = opened or not topic_before
+    since = _FRAMES_APART
     offers = []
     for name in _PARAMETERS:
         probability = turn.probability(name)
