@@ -94,7 +94,8 @@ def coordinate(pair: Pair, cue: Marker, rng: OperatorDraws, most: int) -> Joint 
         and last.clause.verb != right.clause.verb
         and not (describes(last) or describes(right))  # not "is old and has a son"
         and last.clause.tense == right.clause.tense
-        and not says(last.clause, cue.text)  # not "… the Hatter and the Hare and laughs"
+        # Not "… the Hatter and the Hare and laughs", nor "… and dozes off and dreams".
+        and not (says(last.clause, cue.text) or says(right.clause, cue.text))
         and rng.uniform("shared_subject") < _SHARED_SUBJECT
     )
     fields = (*right[:5], "coordinate", cue.text, shared, *right[8:])
