@@ -52,6 +52,10 @@ class OperatorDraws:
         """Whether the utterance has announced something already: "Wait till you hear this!"."""
         return not self._turn.lexicon.attention.texts.isdisjoint(self._used)
 
+    def parameter(self, name: str) -> float:
+        """Return the value of a style parameter in this utterance."""
+        return self._turn.parameters[name]
+
     def uniform(self, name: str) -> float:
         """Return the number in [0, 1) of this operator, place and `name`."""
         return self._turn.draws.uniform(f"{self._scope}/{name}")

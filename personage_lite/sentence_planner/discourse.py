@@ -7,6 +7,7 @@ structure, and Mairesse & Walker 2011, section 4.3, on cue words.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from itertools import pairwise
 from typing import Final
 
@@ -21,6 +22,8 @@ from personage_lite.sentence_planner.joining import says
 from personage_lite.sentence_planner.templates import lead_text, topic_told
 
 STAGE: Final = "aggregation"
+# The letters of a word that is heard when it comes twice.
+_HEARD: Final = 4
 
 
 def with_openings(
@@ -72,8 +75,7 @@ def with_openings(
         if marker is not None:
             placed[0] = hedges.with_opener(hedges.hedged(placed[0]), marker)
     if plan.confirmation:
-        rng = turn.rng("request_confirmation")
-        marker = rng.marker(turn.lexicon.markers["request_confirmation"])
+        marker = _confirming(placed, turn)
         if marker is not None:
             words = lead_text(marker.text, character.entity.phrase)
             if marker.after == "?":
@@ -81,6 +83,20 @@ def with_openings(
             asked = SentencePlan(fragment=words, terminal=marker.after, words=(marker.text,))
             placed.insert(0, asked)
     return placed, decisions
+
+
+def _confirming(sentences: list[SentencePlan], turn: Turn) -> Marker | None:
+    """Choose the words that confirm the topic; not "I love him! … I love how …"."""
+    framed = [c.frame.lead for s in sentences for c in s.clauses if c.frame and c.frame.lead]
+    said = {word for lead in framed for part in lead.parts for word in str(part).split(" ")}
+    rng = turn.rng("request_confirmation")
+    able = turn.lexicon.markers["request_confirmation"]
+    return rng.marker([m for m in able if not _heavy(said) & _heavy(m.text.split(" "))])
+
+
+def _heavy(words: Iterable[str]) -> set[str]:
+    """Return the words that one hears twice: "love", not "I"."""
+    return {word for word in words if len(word) >= _HEARD}
 
 
 def _told_before(sentence: SentencePlan, character: Character, turn: Turn) -> bool:

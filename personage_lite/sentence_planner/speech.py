@@ -30,8 +30,6 @@ from personage_lite.sentence_planner.joining import describes
 _TWICE: Final = 0.01
 _BEFORE_ADJECTIVE: Final = 0.5
 _MOST_MARKS: Final = 1
-# Of the sentences that leave everybody cold, the share that can be exclaimed all the same.
-_PLAINLY_EXCLAIMED: Final = 0.9
 STUTTER: Final = "stutter"
 
 
@@ -209,7 +207,8 @@ def exclamation(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> 
     felt = {clause.feeling for clause in plan.clauses} - {""}
     if "sad" in felt:
         return None  # who is moved says it softly
-    if not felt and rng.uniform("plain") >= _PLAINLY_EXCLAIMED:
+    # What leaves everybody cold is cried out only by who cries out everything.
+    if not felt and rng.uniform("plain") >= rng.parameter("exclamation"):
         return None
     # Made anew: `_replace` takes several times as long.
     return tuple.__new__(SentencePlan, (*plan[:10], "!", *plan[11:]))
@@ -240,6 +239,8 @@ def stuttering(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> S
         return None
     first = plan.clauses[0]
     subject = first.clause.subject
+    if first.marks or plan.afterthought:
+        return None  # a doubt is hesitation enough
     if not isinstance(subject, NounPhrase) or any(opener.mark for opener in plan.openers):
         return None
     if first.frame is not None and _mentions(first.frame.lead):
