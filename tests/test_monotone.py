@@ -248,7 +248,7 @@ RISING: list[tuple[Measure, float]] = [
     (fact_count, 1.2),
     (positive_words, 0.5),
     (tags, 0.005),
-    (vocatives, 0.005),
+    (vocatives, 0.003),
     (exclamations, 0.8),
     (emphasizers, 0.08),
     (first_person, 0.15),

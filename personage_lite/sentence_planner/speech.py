@@ -166,8 +166,8 @@ def tag_question(
     """Ask back: "…, isn't she?", "…, right?"."""
     if not plan.clauses or plan.afterthought or plan.tag or plan.false_start or plan.answers:
         return None
-    # What is announced as news, or sworn to, is not asked back.
-    if rng.announced or any(opener.mark == "?" for opener in plan.openers):
+    # What was just announced as news, or sworn to, is not asked back.
+    if (rng.announced and plan.first) or any(opener.mark == "?" for opener in plan.openers):
         return None
     if any(clause.clause.interruption for clause in plan.clauses):
         return None
@@ -181,9 +181,11 @@ def tag_question(
         return None
     if doubtful(plan):
         return None
+    # "…, isn't she?" asks what somebody is; of what they have one asks only "right?".
     agreeing = host.frame is None or host.frame.form == "clause"
-    # The listener can be asked what somebody is, not what they have or do, nor a plain fact.
-    if last.clause.verb != "be" or last.story or last.polarity == "neutral":
+    agreeing = agreeing and last.clause.verb == "be"
+    # The listener can be asked what somebody is like, but not what happens, nor a plain fact.
+    if not describes(last) or last.story or last.polarity == "neutral":
         return None
     able = [
         marker
