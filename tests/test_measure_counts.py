@@ -152,7 +152,7 @@ def test_a_lively_utterance(name: str, count: int) -> None:
         # others
         ("initial_rejections", "I might be wrong, but she ran.", 1),
         ("competence_mitigation", "As everybody knows, she ran.", 1),
-        ("confirmations", "Alice, you say? Let's see… Alice.", 2),
+        ("confirmations", "You want to know about Alice? Let's see… Alice.", 2),
         ("confirmations", "Oh, Pluto! The White Rabbit, pal? Okay, the King of Hearts?", 3),
         ("confirmations", "Oh, she runs! Help! Alice ran! Hello, Alice! The Moon. I? Oh boy!", 0),
         ("first_person_plural", "Let's go; we're late, and it's our tea.", 3),
