@@ -255,10 +255,9 @@ def plan_content(character: Character, turn: Turn) -> tuple[ContentPlan, list[Ma
     # Nobody disclaims a plain neutral fact, a view of somebody, or the next step of a story.
     view = isinstance(first.clause.complement, AdjectivePhrase)
     doubtful = first.polarity != "neutral" and not (confirmation or recalls or story or view)
-    # Not "I might be wrong, but he might be …" either.
-    doubtful = doubtful and not first.clause.modal
-    # Not "I might be wrong, but …, but …".
-    doubtful = doubtful and not (links and links[0].kind in OPPOSING_KINDS)
+    # Not "I might be wrong, but he might …", nor "I might be wrong, but …, but …".
+    opposed = bool(links) and links[0].kind in OPPOSING_KINDS
+    doubtful = doubtful and not (first.clause.modal or opposed)
     rejection = doubtful and planner.decide("initial_rejection")
     mitigation = not (rejection or recalls) and planner.decide("competence_mitigation")
     said = (tuple(messages), tuple(links), confirmation, rejection, mitigation)

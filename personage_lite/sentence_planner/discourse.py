@@ -152,11 +152,10 @@ def with_reaction(
         clause = last.clauses[-1]
         asks = last.tag or last.afterthought or last.fragment or clause.role != "assertion"
         felt = {part.feeling for part in last.clauses if part.feeling}
-        # "I love how …" is reaction enough; and nobody laughs at one half and weeps at the other.
-        clear = clause.frame is None and felt == {clause.feeling}
-        # Nor does anybody say "Oh, I love him! … It's so sad!", or "I love how …! It's so funny!".
+        # "I love how …" is reaction enough; and nobody laughs at one half and weeps at the other,
+        # nor says "Oh, I love him! … It's so sad!".
+        clear = felt == {clause.feeling} and not any(map(_reacting, sentences))
         clear = clear and not (clause.feeling == "sad" and sentences[0].fragment is not None)
-        clear = clear and not any(_felt(sentence) for sentence in sentences)
         if clear and not asks and not hedges.doubtful(last):
             able = [
                 marker
@@ -172,14 +171,15 @@ def with_reaction(
     return sentences, [("reaction", "pragmatic_markers", probability, draw, status, "", "", "")]
 
 
-def _felt(sentence: SentencePlan) -> bool:
-    """Whether a sentence announces, or says by its frame, what the speaker feels about it."""
+def _reacting(sentence: SentencePlan) -> bool:
+    """Whether a sentence announces, or says by a frame, what the speaker thinks or feels of it."""
     if sentence.fragment is not None:
         return not any(isinstance(part, Cased) for part in sentence.fragment.parts)
     return any(clause.frame is not None for clause in sentence.clauses)
 
 
 def _repeats(marker: Marker, clause: Clause) -> bool:
+    """Whether a marker says a word of the clause once more."""
     said = clause.complement
     words = marker.text.split(" ")
     named = isinstance(said, AdjectivePhrase) and said.adjective in words

@@ -87,7 +87,6 @@ def coordinate(pair: Pair, cue: Marker, rng: OperatorDraws, most: int) -> Joint 
         same_subject(last, right)
         and len(left.clauses) == 1
         and last.frame is None
-        and right.frame is None
         and not cue.own_subject
         and pair.link.kind not in OPPOSING_KINDS  # "… but would rather stay" is written English
         and last.role == "assertion"

@@ -113,7 +113,7 @@ def expletives(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> S
 def near_expletives(
     plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon
 ) -> SentencePlan | None:
-    """Almost swear: "Oh my gosh, …", "darn clever"; not with the rating "clean"."""
+    """Almost swear: "Oh my gosh, …"; not with the rating "clean"."""
     return _oath(plan, "near_expletives", rng, lexicon) if rng.rating != "clean" else None
 
 
