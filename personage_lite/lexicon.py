@@ -126,7 +126,7 @@ MARKER_PLACES: dict[str, tuple[str, ...]] = {
     "expletives": ("degree", "opener"),
     "near_expletives": ("degree", "opener"),
     "tag_question": (),
-    "in_group_marker": (),
+    "in_group_marker": ("opener", "end"),
     "competence_mitigation": ("lead", "opener"),
     "request_confirmation": (),
     "initial_rejection": (),

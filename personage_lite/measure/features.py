@@ -29,7 +29,7 @@ _WHOLE = {
     "flesch_reading_ease": "text",
     "flesch_kincaid_grade": "text",
 }
-# Where the markers that have no `place` of their own stand.
+# Where markers are counted wherever their own `place` is.
 _PLACES_OF_KINDS = {"in_group_marker": "vocative"}
 _LEANS: Mapping[str, Callable[[float], bool]] = {
     "": lambda lean: lean is not None,
@@ -158,7 +158,7 @@ def _marker_patterns(item: Node, markers: Mapping[str, tuple[Marker, ...]]) -> l
 
 def _patterns_of(kind: str, marker: Marker) -> list[Pattern]:
     """Return what a marker can look like in a text."""
-    text, place = marker.text, marker.place or _PLACES_OF_KINDS.get(kind, "")
+    text, place = marker.text, _PLACES_OF_KINDS.get(kind, marker.place)
     if _TOPIC in text:
         # Whatever stands for the topic, the words beside it are the same, if there are enough.
         words = pattern_of(text.replace(_TOPIC, ""), "asks" if marker.after == "?" else "")

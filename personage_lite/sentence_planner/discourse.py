@@ -119,8 +119,9 @@ def _anticipated(
     said = None
     if draw < probability:
         status = "not_applicable"
-        told = [clause for sentence in sentences for clause in sentence.clauses]
-        # What is promised must come: not "this is the funny part" before what nobody laughs at.
+        # What is promised must come, and at once: not "this is the funny part" before what nobody
+        # laughs at, nor before what somebody said, which is no point without its occasion.
+        told = [clause for clause in sentences[0].clauses if not clause.clause.quotation]
         able = [
             marker
             for marker in turn.lexicon.markers["anticipation"]

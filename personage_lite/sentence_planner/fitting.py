@@ -11,8 +11,11 @@ from personage_lite.sentence_planner.joining import describes
 def suits(words: Marker, clause: ClausePlan) -> bool:
     """Whether a marker, or a template's, may be said of a clause, by what its entry asks for.
 
-    That is its polarity, its feeling, and whether it is a quality, a state, a deed or a habit.
+    That is its verb, its polarity, its feeling, and whether it is a quality, a state, a deed or
+    a habit.
     """
+    if words.verbs and clause.clause.verb not in words.verbs:
+        return False
     if words.polarity and words.polarity != clause.polarity:
         return False
     if words.feelings and clause.feeling not in words.feelings:

@@ -109,7 +109,6 @@ def softened(
                 m
                 for m in markers
                 if m.place in places
-                and (not m.verbs or verb in m.verbs)
                 and suits(m, clause)
                 # Not "kind of kind", nor "I think she thinks".
                 and adjective not in m.text.split(" ")
@@ -223,13 +222,12 @@ def emphasizer_hedges(
             continue
         if HEDGED in clause.marks:
             continue
-        places, verb = _stress_places(plan, index), clause.clause.verb
+        places = _stress_places(plan, index)
         marker = rng.marker(
             [
                 marker
                 for marker in lexicon.markers["emphasizer_hedges"]
                 if marker.place in places
-                and (not marker.verbs or verb in marker.verbs)
                 and suits(marker, clause)
             ]
         )

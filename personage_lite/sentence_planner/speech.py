@@ -25,7 +25,7 @@ from personage_lite.sentence_planner.hedges import (
     with_degree,
     with_opener,
 )
-from personage_lite.sentence_planner.joining import describes
+from personage_lite.sentence_planner.joining import describes, kind_of, says
 
 _TWICE: Final = 0.01
 _BEFORE_ADJECTIVE: Final = 0.5
@@ -68,7 +68,8 @@ def acknowledgments(
         return _opener(plan, "acknowledgments", ("question",), rng, lexicon)
     if not plan.first:
         return None  # one answers before one speaks, not in between
-    places = ("sentence", "utterance", "answer") if plan.answers else ("sentence", "utterance")
+    # Who asks "you want to hear about …?" answers "of course!", not "oh yeah, …".
+    places = ("answer",) if plan.answers else ("sentence", "utterance")
     return _opener(plan, "acknowledgments", places, rng, lexicon)
 
 
@@ -91,8 +92,9 @@ def filled_pauses(
             for marker in lexicon.markers["filled_pauses"]
             if marker.place in places
             and suits(marker, clause)
-            # Nobody gropes for words and stresses them at once.
+            # Nobody gropes for words and stresses them at once, nor says "like" twice.
             and not (marker.lean < 0 and EMPHASIZED in clause.marks)
+            and not says(clause.clause, marker.text)
         )
         marker = rng.marker(able)
         if marker is None:
@@ -181,12 +183,12 @@ def tag_question(
         return None
     if doubtful(plan):
         return None
-    # "…, isn't she?" asks what somebody is; of what they have one asks only "right?".
-    agreeing = host.frame is None or host.frame.form == "clause"
-    agreeing = agreeing and last.clause.verb == "be"
-    # The listener can be asked what somebody is like, but not what happens, nor a plain fact.
-    if not describes(last) or last.story or last.polarity == "neutral":
+    # The listener can be asked to agree what somebody is like, but not what happens, nor a plain
+    # fact, nor what somebody is not.
+    judged = last.clause.verb == "be" and not last.clause.negated and last.polarity != "neutral"
+    if not judged or not describes(last) or last.story:
         return None
+    agreeing = host.frame is None or host.frame.form == "clause"
     able = [
         marker
         for marker in lexicon.markers["tag_question"]
@@ -219,19 +221,27 @@ def exclamation(plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon) -> 
 def in_group_marker(
     plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon
 ) -> SentencePlan | None:
-    """Address the listener as one of us: "…, buddy!"."""
+    """Address the listener as one of us: "You guys, …!", "…, buddy!"."""
     if plan.vocative or plan.terminal == "…" or plan.afterthought or crowded(plan):
         return None
+    places = set()
     if plan.clauses:
         (last, *more) = plan.clauses
-        # One nudges a friend where there is something to it.
-        if more or last.clause.quotation or not last.feeling:
-            return None
-    elif plan.fragment is not None and any(map(_is_mention, plan.fragment.parts)):
-        return None  # "I love the Hatter, mate!" would make a mate of him
-    marker = rng.marker(lexicon.markers["in_group_marker"])
+        # One nudges a friend after a judgement that there is something to.
+        if not more and last.feeling and kind_of(last) == "quality":
+            places.add("end")
+        if plan.first and opener_fits(plan) and not rng.announced and not plan.answers:
+            places.add("opener")
+    elif plan.fragment is not None and not any(map(_is_mention, plan.fragment.parts)):
+        places.add("end")  # "I love the Hatter, mate!" would make a mate of him
+    able = [m for m in lexicon.markers["in_group_marker"] if m.place in places]
+    if plan.clauses:
+        able = [marker for marker in able if suits(marker, plan.clauses[0])]
+    marker = rng.marker(able)
     if marker is None:
         return None
+    if marker.place == "opener":
+        return with_opener(plan, marker)
     return plan._replace(vocative=marker.text, words=(*plan.words, marker.text))
 
 
