@@ -17,7 +17,7 @@ from personage_lite.realizer.specification import Cased, Clause, NounPhrase, Phr
 STAGE: Final = "referring_expressions"
 # Across turns a pronoun is rarer than within one.
 _ACROSS_TURNS: Final = 0.6
-_DESCRIPTION: Final = 0.02
+_DESCRIPTION: Final = 0.005
 _SHORT_AGAIN: Final = 0.85
 
 
