@@ -186,8 +186,8 @@ def tag_question(
     # The listener can be asked to agree what somebody is like, but not what happens, nor a plain
     # fact, nor what somebody is not.
     judged = last.clause.verb == "be" and not last.clause.negated and last.polarity != "neutral"
-    if not judged or not describes(last) or last.story:
-        return None
+    if not judged or not describes(last) or last.story or says(last.clause, "and"):
+        return None  # nor "she's shy and thinks …, isn't she?"
     agreeing = host.frame is None or host.frame.form == "clause"
     able = [
         marker
