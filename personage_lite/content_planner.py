@@ -31,6 +31,11 @@ _MOST_MORE: Final = 6.0
 _TERSE: Final = 0.07
 # How many facts back somebody still has in mind what was told.
 _LATELY: Final = 8
+# What is drawn for once a turn, in the order of the numbers of one row of draws.
+_DRAWN: Final = (
+    *("verbosity", "positive_content_first", "recall", "repetitions", "restatements"),
+    *("request_confirmation", "initial_rejection", "competence_mitigation"),
+)
 _SAID_AGAIN: Final[tuple[tuple[str, Role], ...]] = (
     ("repetitions", "repetition"),
     ("restatements", "restatement"),
@@ -57,11 +62,13 @@ class _Planner:
         self.turn = turn
         self.told = turn.state.told_of(character.entity.id)
         self.decisions: list[Made] = []
+        row = turn.draws.numbers(STAGE, len(_DRAWN))
+        self._row = dict(zip(_DRAWN, row, strict=True))
 
     def decide(self, name: str) -> bool:
         """Draw for a planning decision and note it."""
         probability = self.turn.probability(name)
-        draw = self.turn.draws.uniform(name)
+        draw = self._row[name] if name in self._row else self.turn.draws.uniform(name)
         applied = draw < probability
         status: Status = "applied" if applied else "not_drawn"
         self.decisions.append((name, STAGE, probability, draw, status, "", "", ""))
@@ -74,8 +81,8 @@ class _Planner:
 
     def chosen(self) -> list[Fact]:
         """Return the facts of this turn in the order of choice."""
-        state, draws = self.turn.state, self.turn.draws
-        verbosity, draw = self.turn.parameters["verbosity"], draws.uniform("verbosity")
+        state = self.turn.state
+        verbosity, draw = self.turn.parameters["verbosity"], self._row["verbosity"]
         count = 1 + floor(_MOST_MORE * verbosity + draw)
         last = None
         if state.topic == self.character.entity.id:

@@ -7,7 +7,6 @@ structure, and Mairesse & Walker 2011, section 4.3, on cue words.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from itertools import pairwise
 from typing import Final
 
@@ -15,10 +14,10 @@ from personage_lite.facts import Character, entity_of
 from personage_lite.lexicon import Marker
 from personage_lite.operators import Turn
 from personage_lite.plan import ClausePlan, ContentPlan, Made, SentencePlan, Status
-from personage_lite.realizer.specification import AdjectivePhrase, Cased, Clause, Text
+from personage_lite.realizer.specification import Cased, Text
 from personage_lite.sentence_planner import hedges, speech
 from personage_lite.sentence_planner.fitting import suits
-from personage_lite.sentence_planner.joining import says
+from personage_lite.sentence_planner.joining import words_after_verb
 from personage_lite.sentence_planner.templates import lead_text, topic_told
 
 STAGE: Final = "aggregation"
@@ -89,14 +88,11 @@ def _confirming(sentences: list[SentencePlan], turn: Turn) -> Marker | None:
     """Choose the words that confirm the topic; not "I love him! … I love how …"."""
     framed = [c.frame.lead for s in sentences for c in s.clauses if c.frame and c.frame.lead]
     said = {word for lead in framed for part in lead.parts for word in str(part).split(" ")}
-    rng = turn.rng("request_confirmation")
-    able = turn.lexicon.markers["request_confirmation"]
-    return rng.marker([m for m in able if not _heavy(said) & _heavy(m.text.split(" "))])
-
-
-def _heavy(words: Iterable[str]) -> set[str]:
-    """Return the words that one hears twice: "love", not "I"."""
-    return {word for word in words if len(word) >= _HEARD}
+    able = list(turn.lexicon.markers["request_confirmation"])
+    for word in said:
+        if len(word) >= _HEARD:
+            able = [marker for marker in able if word not in marker.text]
+    return turn.rng("request_confirmation").marker(able)
 
 
 def _told_before(sentence: SentencePlan, character: Character, turn: Turn) -> bool:
@@ -158,12 +154,10 @@ def with_reaction(
         clear = felt == {clause.feeling} and not any(map(_reacting, sentences))
         clear = clear and not (clause.feeling == "sad" and sentences[0].fragment is not None)
         if clear and not asks and not hedges.doubtful(last):
-            able = [
-                marker
-                for marker in turn.lexicon.markers["reaction"]
-                # Not "he gets really sad. Isn't that sad?".
-                if suits(marker, clause) and not _repeats(marker, clause.clause)
-            ]
+            able = [marker for marker in turn.lexicon.markers["reaction"] if suits(marker, clause)]
+            # Not "he gets really sad. Isn't that sad?".
+            heard = words_after_verb(clause.clause)
+            able = [marker for marker in able if heard.isdisjoint(marker.text.split(" "))]
             words = {word for sentence in sentences for word in sentence.words}
             marker = turn.rng("reaction", words).marker(able)
             if marker is not None:
@@ -177,14 +171,6 @@ def _reacting(sentence: SentencePlan) -> bool:
     if sentence.fragment is not None:
         return not any(isinstance(part, Cased) for part in sentence.fragment.parts)
     return any(clause.frame is not None for clause in sentence.clauses)
-
-
-def _repeats(marker: Marker, clause: Clause) -> bool:
-    """Whether a marker says a word of the clause once more."""
-    said = clause.complement
-    words = marker.text.split(" ")
-    named = isinstance(said, AdjectivePhrase) and said.adjective in words
-    return named or any(says(clause, word) for word in words)
 
 
 def _fragment(marker: Marker) -> SentencePlan:
@@ -206,9 +192,10 @@ def _new_topic(
     `follows` says whether there was a topic before in this talk.
     """
     decisions: list[Made] = []
-    for name in ("setting", "topic_shift"):
-        probability = turn.probability(name)
-        if probability <= 0.0 or (name == "topic_shift" and not follows):
+    placed = character.topics[sentence.clauses[0].topic].setting is not None
+    for name, due in (("setting", placed), ("topic_shift", follows)):
+        probability = turn.probability(name) if due else 0.0
+        if probability <= 0.0:
             continue
         draw = turn.draws.uniform(f"{name}/{index}")
         changed = None

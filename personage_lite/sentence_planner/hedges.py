@@ -227,8 +227,7 @@ def emphasizer_hedges(
             [
                 marker
                 for marker in lexicon.markers["emphasizer_hedges"]
-                if marker.place in places
-                and suits(marker, clause)
+                if marker.place in places and suits(marker, clause)
             ]
         )
         if marker is None or (marker.place == "alone" and rng.uniform("alone") >= _DEEDS_STRESSED):

@@ -101,14 +101,22 @@ def coordinate(pair: Pair, cue: Marker, rng: OperatorDraws, most: int) -> Joint 
     return extend(left, tuple.__new__(ClausePlan, fields), cue.text)
 
 
+def words_after_verb(clause: Clause) -> set[str]:
+    """Return the words of what follows a clause's verb, without the names in it."""
+    words: set[str] = set()
+    for phrase in (clause.object, clause.complement, *clause.adverbials):
+        if isinstance(phrase, AdjectivePhrase):
+            words.add(phrase.adjective)
+        elif isinstance(phrase, Text):
+            for part in phrase.parts:
+                if isinstance(part, str):
+                    words.update(part.split(" "))
+    return words
+
+
 def says(clause: Clause, word: str) -> bool:
     """Whether a word stands in what follows a clause's verb."""
-    for phrase in (clause.object, clause.complement, *clause.adverbials):
-        if isinstance(phrase, Text):
-            words = [part for part in phrase.parts if isinstance(part, str)]
-            if any(word in part.split(" ") for part in words):
-                return True
-    return False
+    return word in words_after_verb(clause)
 
 
 def kind_of(plan: ClausePlan) -> str:
