@@ -266,6 +266,7 @@ def plan_content(character: Character, turn: Turn) -> tuple[ContentPlan, list[Ma
     opposed = bool(links) and links[0].kind in OPPOSING_KINDS
     doubtful = doubtful and not (first.clause.modal or opposed)
     rejection = doubtful and planner.decide("initial_rejection")
-    mitigation = not (rejection or recalls) and planner.decide("competence_mitigation")
+    known = not (rejection or recalls or opposed)
+    mitigation = known and planner.decide("competence_mitigation")
     said = (tuple(messages), tuple(links), confirmation, rejection, mitigation)
     return tuple.__new__(ContentPlan, said), planner.decisions

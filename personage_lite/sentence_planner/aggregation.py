@@ -279,7 +279,7 @@ UNCUED: Final = ("period", "conjunction")
 COMPETING: Final[dict[str, tuple[Joiner, ...]]] = {
     "none": (Joiner("period", period),),
     "infer": (
-        Joiner("period", period),
+        Joiner("period", period, 0.7),
         Joiner("conjunction", conjunction),
         Joiner("merge", merge, 1.5, embedding=True),
         Joiner("relative_clause", relative_clause, embedding=True),
@@ -306,7 +306,7 @@ COMPETING: Final[dict[str, tuple[Joiner, ...]]] = {
     "sequence": (
         Joiner("sequence_cue_word", sequence_cue_word),
         Joiner("conjunction", conjunction, 0.6),
-        Joiner("period", period, 0.8),
+        Joiner("period", period, 0.5),
     ),
     "restatement": (Joiner("merge_with_comma", merge_with_comma),),
 }

@@ -105,6 +105,8 @@ def fits(template: Template, plan: ClausePlan) -> bool:
     quality = isinstance(clause.complement, AdjectivePhrase)
     if not suits(template.marker, plan):
         return False
+    if form == "clause" and template.connotation == "good" and plan.polarity == "bad":
+        return False  # nobody loves how somebody is left out
     if template.emphatic and quality and plan.strength != "extremely":
         return False  # much ado about a plain word
     if form == "exclamative":
