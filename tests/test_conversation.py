@@ -339,7 +339,7 @@ class Listener:
         named = mention.entity in {other.entity for other in self.sentence}
         near = self.sentence if named else lately
         rivals = {other.entity for other in near if other.kind == mention.kind}
-        if mention.argument:
+        if mention.argument or mention.entity == mention.subject_before:
             rivals.discard(mention.clause_subject)  # that would be "herself"
         return rivals == {mention.entity}
 
@@ -410,8 +410,10 @@ def test_the_listener_notices() -> None:
     dinah_sees = Clause("see", dinah, object=Text((Cased(_alice(True)),)))
     assert not faults(named, dinah_sees)  # "herself" if it were Dinah
     dinah_sits = Clause("sit", dinah, adverbials=(Text(("beside", Cased(_alice(True)))),))
-    assert faults(named, dinah_sits)
-    assert faults(named, Clause("see", dinah, object=Text((Cased(_alice(False)),))), she_sees)
+    assert not faults(named, dinah_sits)  # who was talked about, and again not "herself"
+    seen = Clause("see", dinah, object=Text((Cased(_alice(False)),)))
+    assert faults(seen, dinah_sits)
+    assert faults(named, seen, she_sees)
     bound = Clause("see", dinah, object=Text((Cased(dinah._replace(pronoun=True), "possessive"),)))
     assert not faults(named, bound)
     gap = Clause("rain", NounPhrase("it"))

@@ -133,7 +133,7 @@ def test_a_lively_utterance(name: str, count: int) -> None:
         ("fillers", "She is, you know, late.", 1),
         ("fillers", "You know her. She ran, you know?", 0),
         ("tag_questions", "She ran, you know?", 1),
-        ("emphasizers", "Guess what? She ran.", 1),
+        ("emphasizers", "Believe it or not, she ran.", 1),
         ("emphasizers", "You know what she ate.", 0),
         # address
         ("in_group", "She ran, mate. Buddy, she did!", 2),

@@ -362,8 +362,8 @@ def relatives(said: Utterance) -> list[float]:
 
 
 def also(said: Utterance) -> list[float]:
-    """Count "also"."""
-    return [float(len(re.findall(r"\balso\b", said.text.lower())))]
+    """Count "also", but in "oh, also", which leaves a topic."""
+    return [float(len(re.findall(r"(?<!oh, )\balso\b", said.text.lower())))]
 
 
 def stutters(said: Utterance) -> list[float]:

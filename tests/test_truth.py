@@ -73,8 +73,8 @@ class TestTheCheckerBites:
         return truth_faults(utterance, self.about, self.generator.lexicon)
 
     def test_dropped_negation(self) -> None:
-        """ "Alice is scared to talk back" is found out."""
-        said = self.said("talks_back")
+        """ "Alice is scared any more" is found out."""
+        said = self.said("fears_nobody")
         clause = _clause(said.sentences[0])._replace(negated=False)
         assert self.faults(_with_first_clause(said, clause))
 

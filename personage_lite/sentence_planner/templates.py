@@ -231,4 +231,4 @@ def _choose(
     for index, template in enumerate(able):
         if template.connotation in factors:
             weights[index] *= factors[template.connotation]
-    return rng.choose("template", able, weights)
+    return rng.choose("template", able, weights) if any(weights) else None
