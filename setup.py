@@ -40,6 +40,6 @@ if os.environ.get("PERSONAGE_LITE_COMPILE") == "1" and "bdist_wheel" in sys.argv
     from mypyc.build import mypycify
 
     paths = [f"personage_lite/{name}.py" for name in COMPILED]
-    setup(ext_modules=mypycify(paths, opt_level="2", debug_level="0", group_name="personage_lite"))
+    setup(ext_modules=mypycify(paths, opt_level="3", debug_level="0", group_name="personage_lite"))
 else:
     setup()

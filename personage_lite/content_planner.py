@@ -266,7 +266,8 @@ def plan_content(character: Character, turn: Turn) -> tuple[ContentPlan, list[Ma
     opposed = bool(links) and links[0].kind in OPPOSING_KINDS
     doubtful = doubtful and not (first.clause.modal or opposed)
     rejection = doubtful and planner.decide("initial_rejection")
-    known = not (rejection or recalls or opposed)
+    # Nor "let me tell you about her! You probably know this, but …".
+    known = not (rejection or recalls or opposed or confirmation)
     mitigation = known and planner.decide("competence_mitigation")
     said = (tuple(messages), tuple(links), confirmation, rejection, mitigation)
     return tuple.__new__(ContentPlan, said), planner.decisions
