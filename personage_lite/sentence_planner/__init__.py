@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final, NamedTuple
 
-from personage_lite.facts import Character
+from personage_lite.facts import TELLING_KINDS, Character
 from personage_lite.operators import Operator, Turn, run_operators
 from personage_lite.plan import (
     ClausePlan,
@@ -51,6 +51,9 @@ PRAGMATIC_MARKERS: Final[tuple[Operator, ...]] = (
 )
 # What surrounds the first sentence that states a fact.
 _OPENING: Final = SentencePlan(first=True)
+# The relations that a sentence can do without where a stronger one follows.
+_LOOSE: Final = ("infer", "elaboration")
+_LAST: Final = Link("none")
 
 
 class PlannedSentences(NamedTuple):
@@ -121,23 +124,28 @@ def aggregate(
     done: list[SentencePlan] = []
     current = tuple.__new__(SentencePlan, ((clauses[0],), *_OPENING[1:]))
     decisions: list[Made] = []
-    for index, (clause, link) in enumerate(zip(clauses[1:], links, strict=True)):
+    # What comes after each pair; nothing after the last.
+    following = (*links[1:], _LAST)
+    for index, (clause, link, after) in enumerate(zip(clauses[1:], links, following, strict=True)):
         # Where clauses changed places, what the relation holds of is no longer the last one.
         last = current.clauses[-1]
         if last is not clauses[index] and not set(clauses[index].facts) <= set(last.facts):
             if clause.role in ("repetition", "restatement"):
                 continue  # it would say again, alone, what was said before
             link = Link("none")
-        (*before, current), made = _join(Pair(current, clause, link), index, turn)
+        # "It's touchy. It gets offended over nothing, so …": only what goes with it joins the "so".
+        alone = after.kind in TELLING_KINDS and link.kind in _LOOSE
+        (*before, current), made = _join(Pair(current, clause, link), index, turn, alone)
         decisions += made
         done += before
     return [*done, current], decisions
 
 
-def _join(pair: Pair, index: int, turn: Turn) -> tuple[Joint, list[Made]]:
+def _join(pair: Pair, index: int, turn: Turn, alone: bool) -> tuple[Joint, list[Made]]:
+    """Join a pair by one of its relation's operators; one that stays `alone` begins a sentence."""
     decisions: list[Made] = []
     left, right, kind = pair.left, pair.right, pair.link.kind
-    able = list(COMPETING[kind])
+    able = list(COMPETING["none" if alone else kind])
     if not (plain(pair.last) and plain(right)):
         able = [joiner for joiner in able if not joiner.embedding]
     parameters = turn.parameters

@@ -79,6 +79,8 @@ def filled_pauses(
     """Hesitate: "Alice is, um, curious"; chatty speakers say "like" and "you know"."""
     if plan.false_start or crowded(plan) or STUTTER in plan.words:
         return None
+    if plan.afterthought:
+        return None  # one doubt is enough: not "she, er, purrs, if I remember right"
     for index, clause in enumerate(plan.clauses):
         if clause.link not in ("main", "coordinate") or not pause_fits(clause):
             continue
@@ -280,9 +282,10 @@ def object_ellipsis(
         return None
     if first.clause.preposed:
         return None
-    if first.clause.verb not in ("be", "have") or any(
-        clause.link == "relative" for clause in plan.clauses
-    ):
+    if any(clause.link == "relative" for clause in plan.clauses):
+        return None
+    # Not "she has… she has to", nor "she has… she even has".
+    if not describes(first) or first.clause.adverbs or says(first.clause, "to"):
         return None
     return plan._replace(false_start=True)
 

@@ -193,6 +193,8 @@ def select_templates(
                 free = not (framed_before or opens or bound or since < _FRAMES_APART)
                 if free and message.role == "assertion":
                     able = plain.fitting(name, message.fact.id)
+                    if plan.rejection:  # "I might be wrong, but …" is doubt enough
+                        able = tuple(template for template in able if not template.hedging)
                     template = _choose(able, used, turn, turn.rng(f"{name}/{index}"))
                 if template is not None:
                     clause = framed(clause, template, turn.lexicon, character.entity.phrase)
