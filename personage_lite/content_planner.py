@@ -90,7 +90,7 @@ class _Planner:
         choice = FactChoice(self.character, self.turn)
         facts: list[Fact] = []
         # Who says much finishes the thought rather than leave one fact to stand alone afterwards.
-        most = count if verbosity < _TERSE else 2 * count
+        most = count if verbosity < _TERSE else 2 * count + 1
         while len(facts) < count or (len(facts) < most and choice.unfinished(facts[-1])):
             fact = choice.take(last, len(facts))
             if fact is None:

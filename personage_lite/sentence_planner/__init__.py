@@ -125,7 +125,7 @@ def aggregate(
     current = tuple.__new__(SentencePlan, ((clauses[0],), *_OPENING[1:]))
     decisions: list[Made] = []
     # What comes after each pair; nothing after the last.
-    following = (*links[1:], _LAST)
+    following = (*links, _LAST)[1:]
     for index, (clause, link, after) in enumerate(zip(clauses[1:], links, following, strict=True)):
         # Where clauses changed places, what the relation holds of is no longer the last one.
         last = current.clauses[-1]
