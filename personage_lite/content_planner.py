@@ -90,8 +90,12 @@ class _Planner:
         choice = FactChoice(self.character, self.turn)
         facts: list[Fact] = []
         # Who says much finishes the thought rather than leave one fact to stand alone afterwards.
-        most = count if verbosity < _TERSE else 2 * count + 1
-        while len(facts) < count or (len(facts) < most and choice.unfinished(facts[-1])):
+        most = count if verbosity < _TERSE else 2 * count
+        while (
+            len(facts) < count
+            or (len(facts) < most and choice.leaves_one(facts[-1]))
+            or (count <= len(facts) <= most != count and choice.unfinished(facts[-1]))
+        ):
             fact = choice.take(last, len(facts))
             if fact is None:
                 break

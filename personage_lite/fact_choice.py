@@ -116,11 +116,12 @@ class FactChoice:
                 weights[place] *= _OTHER_SUBJECT_FIRST
         return weights
 
+    def leaves_one(self, last: Fact) -> bool:
+        """Whether just one fact of the topic is left."""
+        return len(self._left(last.topic)) == 1
+
     def unfinished(self, last: Fact) -> bool:
-        """Whether one fact of the topic is left, or one that the last explains or opposes."""
-        left = self._left(last.topic)
-        if len(left) == 1:
-            return True
+        """Whether a fact is left that the last explains or opposes."""
         own, places = self._weights, self._character.places
         return any(
             kind in TELLING_KINDS and own[places[satellite if nucleus == last.id else nucleus]]

@@ -505,7 +505,7 @@ PROBES: dict[str, Probe] = {
     "period": Probe(
         lambda said: [len(said.sentences) / len(said.facts)], 0.03, never=False, setting=SOME
     ),
-    "relative_clause": Probe(relatives, 0.03, setting=SOME | {"object_relative_clause": 0.0}),
+    "relative_clause": Probe(relatives, 0.015, setting=SOME | {"object_relative_clause": 0.0}),
     "object_relative_clause": Probe(
         relatives, 0.03, setting=ALONE | {"relative_clause": 0.0, "period": 0.1}
     ),
@@ -516,7 +516,7 @@ PROBES: dict[str, Probe] = {
         seeds=600,
     ),
     "conjunction": Probe(count(cues, "conjunction"), 0.1, setting=SOME),
-    "merge": Probe(merged, 0.004, setting=PLAIN | MANY, seeds=900),
+    "merge": Probe(merged, 0.002, setting=PLAIN | MANY, seeds=900),
     "also_cue_word": Probe(also, 0.01, setting=SOME, seeds=300),
     "contrast_cue_word": Probe(
         count(cues, "contrast_cue_word"), 0.1, setting=MANY | {"concede_cue_word": 0.0}
@@ -534,7 +534,7 @@ PROBES: dict[str, Probe] = {
     "subject_implicitness": Probe(implicit_subjects, 0.1, setting={"verbosity": 0.8}),
     "stuttering": Probe(stutters, 0.7),
     "pronominalization": Probe(pronoun_subjects, 0.4, never=False, setting={"verbosity": 0.3}),
-    "negation": Probe(negated_antonyms, 0.02, seeds=300),
+    "negation": Probe(negated_antonyms, 0.012, seeds=300),
     "softener_hedges": Probe(
         softened("softener_hedges"),
         0.7,

@@ -118,6 +118,8 @@ def _anticipated(
         # What is promised must come, and at once: not "this is the funny part" before what nobody
         # laughs at, nor before what somebody said, which is no point without its occasion.
         told = [clause for clause in sentences[0].clauses if not clause.clause.quotation]
+        # Nor does one fact live up to it.
+        told = told if len(sentences) > 1 or len(told) > 1 else []
         able = [
             marker
             for marker in turn.lexicon.markers["anticipation"]

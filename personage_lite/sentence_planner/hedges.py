@@ -140,7 +140,7 @@ def _soft_places(plan: SentencePlan, index: int, lexicon: Lexicon) -> set[str]:
     places = set()
     if degree_fits(clause) and not _someone(clause) and clause.strength != "extremely":
         places.add("degree")
-    if pause_fits(clause):
+    if middle_free(clause):
         places.add("pause")
     if _starts_with_number(clause, lexicon):
         places.add("quantity")
@@ -167,12 +167,17 @@ def _someone(clause: ClausePlan) -> bool:
 
 
 def pause_fits(clause: ClausePlan) -> bool:
-    """Whether a hesitation can stand in the middle of a clause."""
+    """Whether a hesitation can stand in the middle of a clause: "he won't even, er, get up"."""
     spec = clause.clause
     if clause.frame is not None and clause.frame.complementizer:
         return False
-    bare = not (spec.interruption or spec.adverbs or spec.emphasizers or spec.mood == "exclamative")
-    return bare and not spec.negated and not spec.passive and not clause.shared_subject
+    full = spec.interruption or spec.emphasizers or spec.mood == "exclamative"
+    return not (full or spec.passive or clause.shared_subject)
+
+
+def middle_free(clause: ClausePlan) -> bool:
+    """Whether the middle of a clause is free for a word that softens or stresses it."""
+    return pause_fits(clause) and not (clause.clause.adverbs or clause.clause.negated)
 
 
 def _around(clause: ClausePlan, word: str) -> ClausePlan:
@@ -252,7 +257,7 @@ def _stress_places(plan: SentencePlan, index: int) -> set[str]:
     if index == 0 and not plan.first and opener_fits(plan) and clause.frame is None:
         places.add("opener")
     weak = spec.verb in ("be", "have") or spec.quotation
-    if not weak and pause_fits(clause) and not any(map(_is_adverb, spec.adverbials)):
+    if not weak and middle_free(clause) and not any(map(_is_adverb, spec.adverbials)):
         places.add("middle")
         if len(plan.clauses) == 1 and clause.polarity != "neutral":
             places.add("alone")

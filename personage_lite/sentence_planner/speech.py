@@ -94,8 +94,9 @@ def filled_pauses(
             for marker in lexicon.markers["filled_pauses"]
             if marker.place in places
             and suits(marker, clause)
-            # Nobody gropes for words and stresses them at once, nor says "like" twice.
-            and not (marker.lean < 0 and EMPHASIZED in clause.marks)
+            # Nobody gropes for words and stresses them at once, nor says "like" twice, nor
+            # "I think she, er, …".
+            and not (marker.lean < 0 and (EMPHASIZED in clause.marks or clause.frame))
             and not says(clause.clause, marker.text)
         )
         marker = rng.marker(able)
@@ -187,7 +188,8 @@ def tag_question(
         return None
     # The listener can be asked to agree what somebody is like, but not what happens, nor a plain
     # fact, nor what somebody is not.
-    judged = last.clause.verb == "be" and not last.clause.negated and last.polarity != "neutral"
+    spec = last.clause
+    judged = spec.verb == "be" and not (spec.negated or spec.modal) and last.polarity != "neutral"
     if not judged or not describes(last) or last.story or says(last.clause, "and"):
         return None  # nor "she's shy and thinks …, isn't she?"
     agreeing = host.frame is None or host.frame.form == "clause"
