@@ -192,7 +192,10 @@ def tags(said: Utterance) -> float:
 
 def vocatives(said: Utterance) -> float:
     """Count in-group markers."""
-    return sum(bool(sentence.vocative) for sentence in said.sentences)
+    words = {marker.text for marker in GENERATOR.lexicon.markers["in_group_marker"]}
+    spoken = [*(sentence.vocative for sentence in said.sentences)]
+    spoken += [opener.text for sentence in said.sentences for opener in sentence.openers]
+    return sum(word in words for word in spoken)
 
 
 def exclamations(said: Utterance) -> float:

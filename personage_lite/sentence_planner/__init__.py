@@ -41,13 +41,13 @@ PRAGMATIC_MARKERS: Final[tuple[Operator, ...]] = (
     Operator("emphasizer_hedges", hedges.emphasizer_hedges, limit=2),
     Operator("stuttering", speech.stuttering, limit=1),
     Operator("object_ellipsis", speech.object_ellipsis, limit=1),
+    Operator("in_group_marker", speech.in_group_marker, limit=1),
     Operator("expletives", speech.expletives, limit=1),
     Operator("near_expletives", speech.near_expletives, limit=1),
     Operator("acknowledgments", speech.acknowledgments, limit=1),
     Operator("filled_pauses", speech.filled_pauses, limit=1),
     Operator("tag_question", speech.tag_question, limit=1),
     Operator("exclamation", speech.exclamation, limit=4),
-    Operator("in_group_marker", speech.in_group_marker, limit=1),
 )
 # What surrounds the first sentence that states a fact.
 _OPENING: Final = SentencePlan(first=True)

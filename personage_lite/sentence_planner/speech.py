@@ -228,20 +228,17 @@ def in_group_marker(
     """Address the listener as one of us: "You guys, …!", "…, buddy!"."""
     if plan.vocative or plan.terminal == "…" or plan.afterthought or crowded(plan):
         return None
+    if not plan.clauses:
+        return None
+    (first, *more) = plan.clauses
     places = set()
-    if plan.clauses:
-        (last, *more) = plan.clauses
-        # One nudges a friend after a judgement that there is something to.
-        if not more and last.feeling and kind_of(last) == "quality":
-            places.add("end")
-        if plan.first and opener_fits(plan) and not rng.announced and not plan.answers:
-            places.add("opener")
-    elif plan.fragment is not None and not any(map(_is_mention, plan.fragment.parts)):
-        places.add("end")  # "I love the Hatter, mate!" would make a mate of him
-    able = [m for m in lexicon.markers["in_group_marker"] if m.place in places]
-    if plan.clauses:
-        able = [marker for marker in able if suits(marker, plan.clauses[0])]
-    marker = rng.marker(able)
+    # One nudges a friend after a judgement that there is something to.
+    if not more and first.feeling and kind_of(first) == "quality":
+        places.add("end")
+    if plan.first and opener_fits(plan) and not rng.announced and not plan.answers:
+        places.add("opener")
+    markers = lexicon.markers["in_group_marker"]
+    marker = rng.marker([m for m in markers if m.place in places and suits(m, first)])
     if marker is None:
         return None
     if marker.place == "opener":
