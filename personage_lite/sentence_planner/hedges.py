@@ -172,7 +172,9 @@ def pause_fits(clause: ClausePlan) -> bool:
     if clause.frame is not None and clause.frame.complementizer:
         return False
     full = spec.interruption or spec.emphasizers or spec.mood == "exclamative"
-    return not (full or spec.passive or clause.shared_subject)
+    # Not "she hasn't, um, slept a wink", nor "she never, um, sneezes".
+    set_phrase = spec.negated and (spec.perfect or bool(spec.negator))
+    return not (full or set_phrase or spec.passive or clause.shared_subject)
 
 
 def middle_free(clause: ClausePlan) -> bool:

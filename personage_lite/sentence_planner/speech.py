@@ -193,6 +193,8 @@ def tag_question(
     if not judged or not describes(last) or last.story or says(last.clause, "and"):
         return None  # nor "she's shy and thinks …, isn't she?"
     agreeing = host.frame is None or host.frame.form == "clause"
+    # "Her husband is shy, isn't it?": of a part nobody knows who or what it is.
+    agreeing = agreeing and bool(isinstance(spec.subject, NounPhrase) and spec.subject.entity)
     able = [
         marker
         for marker in lexicon.markers["tag_question"]
