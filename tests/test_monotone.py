@@ -260,7 +260,7 @@ RISING: list[tuple[Measure, float]] = [
 ]
 FALLING: list[tuple[Measure, float]] = [
     (softeners, 0.08),
-    (stutters, 0.03),
+    (stutters, 0.015),
     (hesitations, 0.015),
     (rejections, 0.002),
 ]
