@@ -260,7 +260,7 @@ RISING: list[tuple[Measure, float]] = [
 ]
 FALLING: list[tuple[Measure, float]] = [
     (softeners, 0.08),
-    (stutters, 0.015),
+    (stutters, 0.01),
     (hesitations, 0.015),
     (rejections, 0.002),
 ]

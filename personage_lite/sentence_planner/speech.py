@@ -190,8 +190,10 @@ def tag_question(
     # fact, nor what somebody is not.
     spec = last.clause
     judged = spec.verb == "be" and not (spec.negated or spec.modal) and last.polarity != "neutral"
-    if not judged or not describes(last) or last.story or says(last.clause, "and"):
-        return None  # nor "she's shy and thinks …, isn't she?"
+    if not judged or not describes(last) or last.story:
+        return None
+    if says(spec, "and") or says(spec, "to"):
+        return None  # not "she's shy and thinks …, isn't she?", nor "he's too shy to …, isn't he?"
     agreeing = host.frame is None or host.frame.form == "clause"
     # "Her husband is shy, isn't it?": of a part nobody knows who or what it is.
     agreeing = agreeing and bool(isinstance(spec.subject, NounPhrase) and spec.subject.entity)
