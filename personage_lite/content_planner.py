@@ -28,7 +28,7 @@ STAGE: Final = "content_planning"
 # The most facts that verbosity adds to the first one.
 _MOST_MORE: Final = 6.0
 # Who is less verbose than this stops where it falls, in the middle of a thought.
-_TERSE: Final = 0.07
+_TERSE: Final = 0.06
 # How many facts back somebody still has in mind what was told.
 _LATELY: Final = 8
 # What is drawn for once a turn, in the order of the numbers of one row of draws.
