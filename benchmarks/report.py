@@ -103,8 +103,11 @@ class Report:
                 ("start-up, pyrealb / personage-lite", START_UP_GOAL, self.start_up_ratio)
             )
         if self.throughput:
-            utterances = self.throughput[MIXED].to_pyrealb
-            values.append(("styled utterances / pyrealb's sentences", UTTERANCES_GOAL, utterances))
+            what = "styled utterances / pyrealb's sentences"
+            for build in ("", COMPILED):
+                rate = self.throughput.get(MIXED + build)
+                if rate is not None:
+                    values.append((what + build, UTTERANCES_GOAL, rate.to_pyrealb))
         for what, least, name in (
             ("realizer / pyrealb, same sentences", REALIZER_GOAL, PYREALB),
             ("realizer / SimpleNLG on the JVM (an aim)", JVM_AIM, JVM),
