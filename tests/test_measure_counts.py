@@ -122,7 +122,7 @@ def test_a_lively_utterance(name: str, count: int) -> None:
         ("softeners", "She is a little shy and sort of curious.", 2),
         ("softeners", "A little girl with a little bottle is some sort of rabbit.", 0),
         # I think, I believe
-        ("softeners", "I think that she ran. She ran, I believe. I think she's late.", 3),
+        ("softeners", "I think that she ran. She ran, I suppose. I think she's late.", 3),
         ("softeners", "I think of her. I believe in rabbits.", 0),
         ("softeners", "It seems she ran.", 1),
         ("softeners", "She has around 30 cats around the house.", 1),
