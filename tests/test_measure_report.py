@@ -117,7 +117,7 @@ def test_what_the_generator_says_can_be_measured() -> None:
     generator = Generator()
     said = [turn for x in (-2, 2) for turn in generator.turns("alice", x, seed=1, count=90)]
     verdicts = {row.feature.name: row.verdict for row in measure(said).rows}
-    for name in ("words", "exclamations", "stutters"):
+    for name in ("words", "exclamations", "hesitations"):
         assert verdicts[name] == "agrees", name
 
 
