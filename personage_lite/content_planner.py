@@ -66,7 +66,7 @@ class _Planner:
         self._row = dict(zip(_DRAWN, row, strict=True))
 
     def decide(self, name: str) -> bool:
-        """Draw for a planning decision and note it."""
+        """Draw for a planning decision and note it; a rare one has no place in the row."""
         probability = self.turn.probability(name)
         draw = self._row[name] if name in self._row else self.turn.draws.uniform(name)
         applied = draw < probability
@@ -89,13 +89,8 @@ class _Planner:
             last = self.character.by_id.get(state.last_fact)
         choice = FactChoice(self.character, self.turn)
         facts: list[Fact] = []
-        # Who says much finishes the thought rather than leave one fact to stand alone afterwards.
-        most = count if verbosity < _TERSE else 2 * count
-        while (
-            len(facts) < count
-            or (len(facts) < most and choice.leaves_one(facts[-1]))
-            or (count <= len(facts) <= most != count and choice.unfinished(facts[-1]))
-        ):
+        terse = verbosity < _TERSE
+        while len(facts) < count or not (terse or _finished(facts, count, choice)):
             fact = choice.take(last, len(facts))
             if fact is None:
                 break
@@ -229,6 +224,18 @@ class _Planner:
             fact = messages[index].fact
             messages.insert(index + 1, Message(fact, role))
             self._amend(fact.id)
+
+
+def _finished(facts: list[Fact], count: int, choice: FactChoice) -> bool:
+    """Whether one can stop after `count` facts or more, without a thought left unsaid.
+
+    One goes on rather than leave a topic's last fact to stand alone afterwards, and one fact longer
+    for the sake of what the last one explains or opposes.
+    """
+    last, more = facts[-1], len(facts) - count
+    return not (
+        (more < count and choice.leaves_one(last)) or (more <= count and choice.unfinished(last))
+    )
 
 
 def _repeatable(messages: list[Message], index: int) -> bool:

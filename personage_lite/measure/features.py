@@ -29,7 +29,7 @@ _WHOLE = {
     "flesch_reading_ease": "text",
     "flesch_kincaid_grade": "text",
 }
-# Where markers are counted wherever their own `place` is.
+# The kinds whose markers are counted at one place, whatever `place` they are put at.
 _PLACES_OF_KINDS = {"in_group_marker": "vocative"}
 _LEANS: Mapping[str, Callable[[float], bool]] = {
     "": lambda lean: lean is not None,

@@ -46,11 +46,11 @@ def _joined(pair: Pair, cue: Marker, rng: OperatorDraws) -> Joint | None:
     introduced = pair.right
     if cue.role and cue.role != right_role:
         introduced = pair.last
-    begins = cue.attach == "beginning"
-    if pair.link.kind == "justification" and len(pair.left.clauses) > 1 and not begins:
+    if pair.link.kind == "justification" and len(pair.left.clauses) > 1:
         return None  # the reason, or what it explains, would be taken for all that came before
     if pair.last.link == "relative":
         return None  # what comes would be set against the main clause
+    begins = cue.attach == "beginning"
     if pair.link.kind in _ONCE and not begins and any(clause.cue for clause in pair.left.clauses):
         return None  # not "…, but …, yet …", nor "… and then …, and after that …"
     if len(pair.last.facts) > 1 and pair.link.kind in ("justification", "concession"):

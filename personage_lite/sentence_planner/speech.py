@@ -25,7 +25,7 @@ from personage_lite.sentence_planner.hedges import (
     with_degree,
     with_opener,
 )
-from personage_lite.sentence_planner.joining import describes, kind_of, says
+from personage_lite.sentence_planner.joining import describes, kind_of, says, words_after_verb
 
 _TWICE: Final = 0.01
 _BEFORE_ADJECTIVE: Final = 0.5
@@ -192,11 +192,14 @@ def tag_question(
     judged = spec.verb == "be" and not (spec.negated or spec.modal) and last.polarity != "neutral"
     if not judged or not describes(last) or last.story:
         return None
-    if says(spec, "and") or says(spec, "to"):
-        return None  # not "she's shy and thinks …, isn't she?", nor "he's too shy to …, isn't he?"
-    agreeing = host.frame is None or host.frame.form == "clause"
+    # Not "she's shy and thinks …, isn't she?", nor "he's too shy to …, isn't he?".
+    going_on = {lexicon.grammar.words.infinitive}
+    going_on.update(marker.text for marker in lexicon.markers["conjunction"])
+    if not going_on.isdisjoint(words_after_verb(spec)):
+        return None
     # "Her husband is shy, isn't it?": of a part nobody knows who or what it is.
-    agreeing = agreeing and bool(isinstance(spec.subject, NounPhrase) and spec.subject.entity)
+    known = isinstance(spec.subject, NounPhrase) and spec.subject.entity != ""
+    agreeing = known and (host.frame is None or host.frame.form == "clause")
     able = [
         marker
         for marker in lexicon.markers["tag_question"]
@@ -288,7 +291,8 @@ def object_ellipsis(
     if any(clause.link == "relative" for clause in plan.clauses):
         return None
     # Not "she has… she has to", nor "she has… she even has".
-    if not describes(first) or first.clause.adverbs or says(first.clause, "to"):
+    infinitive = lexicon.grammar.words.infinitive
+    if not describes(first) or first.clause.adverbs or says(first.clause, infinitive):
         return None
     return plan._replace(false_start=True)
 
