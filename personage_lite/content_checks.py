@@ -34,6 +34,7 @@ def content_faults(character: Character, lexicon: Lexicon) -> list[DataError]:
         *_said_twice(character),
         *_opposite_attributes(character, lexicon),
         *_unsayable(character, lexicon, realizer),
+        *_following_nothing(character),
         *_empty_topics(character),
         *_relation_faults(character),
     ]
@@ -101,6 +102,8 @@ def _unsayable(character: Character, lexicon: Lexicon, realizer: Realizer) -> It
     for key, plan in plain_clauses(character, lexicon).items():
         fact = character.by_id[key]
         bodies = [Sentence(fact.clause)]
+        if fact.following is not None:
+            bodies.append(Sentence(fact.following))
         for templates in lexicon.templates.values():
             for template in templates:
                 if template.marker.polarity in ("", plan.polarity) and fits(template, plan):
@@ -125,6 +128,20 @@ def _unsayable(character: Character, lexicon: Lexicon, realizer: Realizer) -> It
                 f"'{key}' takes {words} words",
                 f"make it two facts of at most {MOST_WORDS} words",
             )
+
+
+def _following_nothing(character: Character) -> Iterator[DataError]:
+    """Find facts whose words for after the fact before can never be said."""
+    before = ""
+    for fact in character.facts:
+        if fact.following is not None and fact.topic != before:
+            yield _fault(
+                character,
+                fact.line,
+                f"'{fact.id}' follows no fact of its topic",
+                "remove its 'following', or move it after the fact that it leans on",
+            )
+        before = fact.topic
 
 
 def _empty_topics(character: Character) -> Iterator[DataError]:

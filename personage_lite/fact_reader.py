@@ -43,8 +43,10 @@ _FIELDS = (
     *("id", "subject", "part", "predicate", "attribute", "complement", "particle"),
     *("indirect_object", "object", "adverbials", "adverb", "quote", "tense", "modal"),
     *("perfect", "progressive", "passive", "negated", "negator", "polarity", "strength"),
-    *("feeling", "topic", "chapter", "source"),
+    *("feeling", "topic", "chapter", "source", "following"),
 )
+# What is said in other words right after the fact before.
+_FOLLOWING = ("indirect_object", "object", "complement", "adverbials", "adverb")
 
 
 class FactReader:
@@ -102,6 +104,28 @@ class FactReader:
             noun, number = _words(item, "part"), "singular"
         return NounPhrase(noun, possessor=owner.phrase, number=cast(Number, number))
 
+    def _following(self, item: Node, clause: Clause) -> Clause | None:
+        """Read how the clause is said right after the fact before it, if that is given."""
+        found = item.get("following")
+        if found is None:
+            return None
+        found.only(_FOLLOWING)
+        told = clause._replace(
+            indirect_object=self._optional_text(found, "indirect_object") or clause.indirect_object,
+            object=self._optional_text(found, "object") or clause.object,
+            complement=self._optional_text(found, "complement") or clause.complement,
+        )
+        if found.get("adverbials") is not None:
+            told = told._replace(adverbials=self._adverbials(found))
+        if found.get("adverb") is not None:
+            told = told._replace(adverbs=(_words(found, "adverb"),))
+        found.done()
+        return told
+
+    def _adverbials(self, item: Node) -> tuple[Text, ...]:
+        found = item.get("adverbials")
+        return tuple(self.text(node) for node in found.sequence()) if found is not None else ()
+
     def fact(self, item: Node) -> Fact:
         """Read one fact into its clause and its planning values."""
         self._mentions = set()
@@ -117,7 +141,6 @@ class FactReader:
         predicate = item.get("predicate")
         if predicate is None and not described:
             raise item.fault("'predicate' is missing", "add the verb, 'predicate: …'")
-        adverbials = item.get("adverbials")
         verb = _words(item, "predicate") or "be"
         subject = self._subject(item)
         clause = Clause(
@@ -129,9 +152,7 @@ class FactReader:
             complement=AdjectivePhrase(_words(item, "attribute"))
             if attribute is not None
             else self._optional_text(item, "complement"),
-            adverbials=tuple(self.text(node) for node in adverbials.sequence())
-            if adverbials
-            else (),
+            adverbials=self._adverbials(item),
             adverbs=(_words(item, "adverb"),) if item.get("adverb") else (),
             quotation=_words(item, "quote"),
             tense=cast(Tense, item.choice_of("tense", ("present", "past", "future"), "present")),
@@ -149,6 +170,7 @@ class FactReader:
         feeling = item.choice_of("feeling", FEELINGS, "")
         if UNFELT.get(feeling) == polarity:
             raise item.fault(f"{polarity} news that is {feeling}", "change polarity or feeling")
+        following = self._following(item, clause)
         fact = Fact(
             id=key,
             about=entity_of(subject.possessor) or subject.entity,
@@ -161,6 +183,7 @@ class FactReader:
             line=item.line,
             mentions=frozenset(self._mentions),
             feeling=cast(Feeling, feeling),
+            following=following,
         )
         item.done()
         return fact

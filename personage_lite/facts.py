@@ -107,6 +107,8 @@ class Fact(NamedTuple):
     same thing. The clause names concepts of the lexicon where it has them. `about` is the entity
     that is the subject, or whose part is. `feeling` is what most people feel when they hear it for
     the first time; empty where that is nothing, and no speaker makes much of such a fact.
+    `following` says the same right after the fact before it in the file, which it may lean on:
+    "it's no big deal".
     """
 
     id: str
@@ -120,6 +122,7 @@ class Fact(NamedTuple):
     line: int
     mentions: frozenset[str]
     feeling: Feeling = ""
+    following: Clause | None = None
 
 
 class Relation(NamedTuple):

@@ -52,6 +52,10 @@ class OperatorDraws:
         """Whether the utterance has announced something already: "Wait till you hear this!"."""
         return not self._turn.lexicon.attention.texts.isdisjoint(self._used)
 
+    def has_said(self, word: str) -> bool:
+        """Whether the utterance so far has this marker word."""
+        return word in self._used
+
     def parameter(self, name: str) -> float:
         """Return the value of a style parameter in this utterance."""
         return self._turn.parameters[name]

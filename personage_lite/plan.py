@@ -91,7 +91,7 @@ class ClausePlan(NamedTuple):
 
     `story` marks a step of what is told in order. `link` says how it joins the sentence, with the
     cue word `cue`; a `fronted` clause belongs to the main clause after it, all others to the main
-    clause before.
+    clause before. `following` marks one whose words lean on the fact that was told just before.
     """
 
     clause: Clause
@@ -108,6 +108,7 @@ class ClausePlan(NamedTuple):
     marks: tuple[str, ...] = ()
     story: bool = False
     feeling: str = ""
+    following: bool = False
 
 
 class SentencePlan(NamedTuple):
@@ -131,6 +132,7 @@ class SentencePlan(NamedTuple):
     tag: str = ""
     terminal: str = "."
     false_start: bool = False
+    hesitation: str = ""
     words: tuple[str, ...] = ()
 
 

@@ -9,6 +9,7 @@ relation behind it.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import NamedTuple
 
 from personage_lite.facts import Character, Fact, entity_of
@@ -65,6 +66,9 @@ class _Checker:
         self._planned = planned
         self._lexicon = lexicon
         self.faults: list[str] = []
+        # The facts heard so far, for those that lean on the one before.
+        self._heard: set[str] = set()
+        self._before = {fact.id: other.id for other, fact in pairwise(character.facts)}
         self._hedges = {
             marker.text
             for marker in lexicon.markers["softener_hedges"]
@@ -121,11 +125,12 @@ class _Checker:
         """Return the facts that a clause and the clauses inside it state."""
         main: set[str] = set()
         for heard in self._propositions(clause, owner):
-            found = {fact.id for fact in self._character.facts if self._says(heard, fact)}
+            found = {fact.id for fact in self._character.facts if self._states(heard, fact)}
             if not found:
                 self.faults.append(f"states no fact: {heard.clause}")
             # Two facts can share an antonym ("isn't gentle"): hear the one that was meant.
             main |= found & self._planned or found
+            self._heard |= main
         inner: set[str] = set()
         for subordinate in clause.subordinates:
             facts = self._clause(subordinate.clause, entity_of(clause.subject) or owner)
@@ -180,8 +185,16 @@ class _Checker:
 
     # Comparing one clause with one fact
 
-    def _says(self, heard: _Heard, fact: Fact) -> bool:
-        clause, meant = heard.clause, fact.clause
+    def _states(self, heard: _Heard, fact: Fact) -> bool:
+        """Whether a clause states a fact, in words that need no other or after the one before."""
+        if self._says(heard, fact.clause):
+            return True
+        if fact.following is None or self._before.get(fact.id) not in self._heard:
+            return False
+        return self._says(heard, fact.following)
+
+    def _says(self, heard: _Heard, meant: Clause) -> bool:
+        clause = heard.clause
         if any(getattr(clause, name) != getattr(meant, name) for name in _SAME):
             return False
         if not self._same_subject(clause.subject, meant.subject, heard.owner):

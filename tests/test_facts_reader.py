@@ -302,6 +302,14 @@ def test_topics(tmp_path: Path) -> None:
     [
         (KIND + KIND.replace("kind,", "mild,", 1), "", 7, "'mild' says the same as 'kind'"),
         (
+            KIND
+            + "  - {id: calm, predicate: keep, object: calm, following: {object: that way},"
+            + " topic: moods}\n",
+            "",
+            7,
+            "'calm' follows no fact of its topic; remove its 'following', or move it after",
+        ),
+        (
             KIND + KIND.replace("kind, attribute: kind", "cruel, attribute: cruel"),
             "",
             7,

@@ -109,6 +109,7 @@ def test_a_lively_utterance(name: str, count: int) -> None:
         ("acknowledgments", "She is well. A deep well, a dry well.", 0),
         ("hesitations", "Well… she runs.", 1),
         ("hesitations", "Well, she runs.", 0),
+        ("hesitations", "Alice… err, she runs. Err… she doesn't sit. She, err, runs.", 3),
         # right
         ("acknowledgments", "Right, she ran right home, right?", 1),
         ("tag_questions", "She is right, right?", 1),

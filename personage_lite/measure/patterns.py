@@ -160,7 +160,9 @@ def _in_place(pattern: Pattern, words: Sequence[Word], index: int, end: str, lis
             marked = after[:1] in _STOPS and after != ""
         return marked and starts and (index == 0 or place not in _STARTS)
     if place == "pause":
-        return before.endswith(",") and after.startswith(",")
+        # "She, um, runs", "Alice… um, she runs", "Um… she runs".
+        inside = before.endswith((",", "…")) and after.startswith(",")
+        return inside or (starts and after.startswith("…"))
     if place == "end":
         return before.endswith(",") and stops
     if place == "vocative":

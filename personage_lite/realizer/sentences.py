@@ -27,7 +27,7 @@ _TERMINALS: Final = {"interrogative": "?", "exclamative": "!"}
 
 def sentence(syntax: Syntax, spec: Sentence) -> list[str]:
     """Return the words and marks of one sentence in order, before orthography."""
-    body, following, openers, connective, vocative, afterthought, tag, terminal, broken = spec
+    body, following, openers, connective, vocative, afterthought, tag, terminal, *_ = spec
     out: list[str] = []
     for opener in openers:
         # A mark of its own counts as the mark after it.
@@ -39,12 +39,8 @@ def sentence(syntax: Syntax, spec: Sentence) -> list[str]:
             out.append(opener.mark)
     if connective:
         out.extend((connective, ","))
-    if broken and isinstance(body, Clause | Embedded):
-        clause = body.clause if isinstance(body, Embedded) else body
-        main_clause(syntax, out, clause._replace(truncated=True, adverbs=(), subordinates=()))
-        out.append("…")
-        if isinstance(body, Clause):
-            body = body._replace(subject=_taken_up(body.subject))
+    if spec.false_start or spec.hesitation:
+        body = _started(syntax, out, spec)
     _body(syntax, out, body)
     last: object = body
     for joined in following:
@@ -68,6 +64,34 @@ def sentence(syntax: Syntax, spec: Sentence) -> list[str]:
         out.extend((",", vocative))
     out.append("?" if tag else terminal or _terminal(last))
     return out
+
+
+def _started(syntax: Syntax, out: list[str], spec: Sentence) -> Embedded | Phrase:
+    """Add what is said before one breaks off, or hesitates; return what one then says."""
+    body, hesitation = spec.body, spec.hesitation
+    broken = spec.false_start and isinstance(body, Clause | Embedded)
+    if broken:
+        clause = body.clause if isinstance(body, Embedded) else body
+        assert isinstance(clause, Clause)
+        main_clause(syntax, out, clause._replace(truncated=True, adverbs=(), subordinates=()))
+    elif isinstance(body, Clause) and body.subject is not None and _named(body):
+        syntax.phrase(out, body.subject, "subjective")
+    elif hesitation:
+        out.extend((hesitation, "…"))
+        return body
+    else:
+        return body
+    out.append("…")
+    if hesitation:
+        out.extend((hesitation, ","))
+    return body._replace(subject=_taken_up(body.subject)) if isinstance(body, Clause) else body
+
+
+def _named(clause: Clause) -> bool:
+    """Whether a statement has a subject that one can name before one knows what to say of it."""
+    pronoun = isinstance(clause.subject, NounPhrase) and clause.subject.pronoun
+    whole = clause.form == "finite" and clause.mood == "declarative" and not clause.existential
+    return whole and not (pronoun or clause.preposed)
 
 
 def _taken_up(subject: Phrase | None) -> Phrase | None:

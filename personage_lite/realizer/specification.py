@@ -309,8 +309,12 @@ class Sentence(NamedTuple):
     A body that is neither a clause nor clauses joined is a fragment: words that stand for a
     sentence by themselves. `tag` is "auto" for a tag question that agrees ("isn't she?") or the
     words of a fixed one; a fragment takes none that agrees. `terminal` is the end mark; none
-    given is "?" for a question, "!" for an exclamative and "." for all else. `false_start`
-    breaks off after the verb and starts again, with a pronoun for whom it has named.
+    given is "?" for a question, "!" for an exclamative and "." for all else.
+
+    `false_start` breaks off after the verb and starts again, with a pronoun for whom it has
+    named. `hesitation` is what is said there ("Alice is… um, she is kind"); without a false
+    start the sentence breaks off after its subject ("Alice… um, she is kind"), and before one
+    that is a pronoun, or has none, it begins with the hesitation ("Um… she is kind").
     """
 
     body: Embedded | Phrase
@@ -322,3 +326,4 @@ class Sentence(NamedTuple):
     tag: str = ""
     terminal: str = ""
     false_start: bool = False
+    hesitation: str = ""

@@ -15,6 +15,7 @@ from personage_lite.realizer.specification import (
     Subordinate,
     Text,
 )
+from personage_lite.sentence_planner.hedges import middle_free
 
 
 def assemble(plan: SentencePlan, clauses: tuple[ClausePlan, ...]) -> Sentence:
@@ -49,8 +50,25 @@ def assemble(plan: SentencePlan, clauses: tuple[ClausePlan, ...]) -> Sentence:
         )
     # Unchecked, for the plan's parts are: that takes half the time.
     around = (plan.openers, plan.connective, plan.vocative, plan.afterthought, plan.tag)
-    fields = (_framed(*bodies[0]), joined, *around, plan.terminal, plan.false_start)
+    hesitation = plan.hesitation
+    if hesitation:
+        bodies[0], hesitation = _hesitant(*bodies[0], hesitation)
+    started = (plan.terminal, plan.false_start, hesitation)
+    fields = (_framed(*bodies[0]), joined, *around, *started)
     return tuple.__new__(Sentence, fields)
+
+
+def _hesitant(
+    part: ClausePlan, clause: Clause, hesitation: str
+) -> tuple[tuple[ClausePlan, Clause], str]:
+    """Put a hesitation after a subject that is a pronoun, if the clause's middle is free.
+
+    "He, um, talks" is said, but neither "he even, um, talks" nor "the Dodo, um, talks".
+    """
+    pronoun = isinstance(clause.subject, NounPhrase) and clause.subject.pronoun
+    if not (pronoun and middle_free(part)):
+        return (part, clause), hesitation
+    return (part, clause._replace(interruption=hesitation)), ""
 
 
 def _attached(host: Clause, part: ClausePlan) -> Clause:

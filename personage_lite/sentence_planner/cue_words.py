@@ -88,6 +88,8 @@ def _joined(pair: Pair, cue: Marker, rng: OperatorDraws) -> Joint | None:
         )
     if len(pair.left.clauses) > 1 or pair.link.fixed_order or pair.left.openers:
         return None
+    if pair.right.following and introduced is pair.right:
+        return None  # not "Although it's no big deal, …"
     main = pair.right if introduced is pair.last else pair.last
     front = introduced._replace(link="fronted", cue=cue.text)
     sentence = pair.left._replace(clauses=(front, main), words=(*pair.left.words, cue.text))
@@ -99,6 +101,8 @@ def _turned(pair: Pair) -> Pair | None:
     begun = pair.left.connective or pair.left.openers  # "But …" is said of what came first
     if len(pair.left.clauses) > 1 or pair.link.fixed_order or begun:
         return None
+    if pair.last.following or pair.right.following:
+        return None  # "it's no big deal" comes after what is none
     if not (plain(pair.last) and plain(pair.right)):
         return None
     return Pair(pair.left._replace(clauses=(pair.right,)), pair.last, pair.link)

@@ -12,7 +12,7 @@ from typing import Final
 from personage_lite.lexicon import Lexicon, Marker
 from personage_lite.operators import OperatorDraws
 from personage_lite.plan import ClausePlan, Frame, SentencePlan
-from personage_lite.realizer.specification import AdjectivePhrase, Opener, Phrase, Text
+from personage_lite.realizer.specification import AdjectivePhrase, NounPhrase, Opener, Phrase, Text
 from personage_lite.sentence_planner.fitting import suits
 
 SOFTENED: Final = "softened"
@@ -32,7 +32,7 @@ def replaced(plan: SentencePlan, index: int, clause: ClausePlan, word: str) -> S
     """Return a sentence with one clause changed and a marker word noted."""
     clauses = (*plan.clauses[:index], clause, *plan.clauses[index + 1 :])
     # Made anew: `_replace` takes several times as long, and nearly every operator ends here.
-    return tuple.__new__(SentencePlan, (clauses, *plan[1:12], (*plan.words, word)))
+    return tuple.__new__(SentencePlan, (clauses, *plan[1:-1], (*plan.words, word)))
 
 
 def opener_fits(plan: SentencePlan) -> bool:
@@ -166,20 +166,28 @@ def _someone(clause: ClausePlan) -> bool:
     return clause.frame is not None and clause.frame.form == "someone_who"
 
 
-def pause_fits(clause: ClausePlan) -> bool:
-    """Whether a hesitation can stand in the middle of a clause: "he won't even, er, get up"."""
-    spec = clause.clause
-    if clause.frame is not None and clause.frame.complementizer:
+def start_fits(plan: SentencePlan) -> bool:
+    """Whether one can name somebody, hesitate, and only then say what he does.
+
+    "The Hatter… um, he never washes up"; who is something hesitates before that instead.
+    """
+    spec = plan.clauses[0].clause
+    named = isinstance(spec.subject, NounPhrase) and spec.subject.entity != ""
+    begun = plan.openers or plan.connective or plan.answers or spec.preposed or spec.quotation
+    if any(clause.link in ("fronted", "relative") for clause in plan.clauses):
         return False
-    full = spec.interruption or spec.emphasizers or spec.mood == "exclamative"
-    # Not "she hasn't, um, slept a wink", nor "she never, um, sneezes".
-    set_phrase = spec.negated and (spec.perfect or bool(spec.negator))
-    return not (full or set_phrase or spec.passive or clause.shared_subject)
+    return named and spec.verb != "be" and plan.clauses[0].frame is None and not begun
 
 
 def middle_free(clause: ClausePlan) -> bool:
     """Whether the middle of a clause is free for a word that softens or stresses it."""
-    return pause_fits(clause) and not (clause.clause.adverbs or clause.clause.negated)
+    spec = clause.clause
+    if clause.frame is not None and clause.frame.complementizer:
+        return False
+    full = spec.interruption or spec.emphasizers or spec.mood == "exclamative"
+    # Not "she hasn't, um, slept a wink", nor "he even, um, talks".
+    full = full or spec.negated or bool(spec.adverbs)
+    return not (full or spec.passive or clause.shared_subject)
 
 
 def _around(clause: ClausePlan, word: str) -> ClausePlan:

@@ -64,7 +64,7 @@ def extend(sentence: SentencePlan, clause: ClausePlan, word: str = "") -> Joint:
     """Return a sentence with one more clause, and the cue word that joined it."""
     words = (*sentence.words, word) if word else sentence.words
     # Made anew, here and below: `_replace` takes several times as long.
-    fields = ((*sentence.clauses, clause), *sentence[1:12], words)
+    fields = ((*sentence.clauses, clause), *sentence[1:-1], words)
     return (tuple.__new__(SentencePlan, fields),)
 
 

@@ -18,9 +18,10 @@ from personage_lite.sentence_planner.hedges import (
     degree_fits,
     doubtful,
     hedged,
+    middle_free,
     opener_fits,
-    pause_fits,
     replaced,
+    start_fits,
     unhedged,
     with_degree,
     with_opener,
@@ -31,6 +32,9 @@ _TWICE: Final = 0.01
 _BEFORE_ADJECTIVE: Final = 0.5
 _MOST_MARKS: Final = 1
 STUTTER: Final = "stutter"
+FALSE_START: Final = "false start"
+# One starts again only where there is something to search for: not "he is… he's shy".
+_WORTH_STARTING_AGAIN: Final = 3
 
 
 def _opener(
@@ -51,7 +55,7 @@ def _opener(
 
 def crowded(plan: SentencePlan) -> bool:
     """Whether a sentence carries as many marks of speech as one person puts into one."""
-    marks = len(plan.openers) + bool(plan.tag) + bool(plan.vocative)
+    marks = len(plan.openers) + bool(plan.tag) + bool(plan.vocative) + bool(plan.hesitation)
     for clause in plan.clauses:
         marks += bool(clause.clause.interruption)
         marks += clause.frame is not None and EMPHASIZED in clause.marks
@@ -76,24 +80,28 @@ def acknowledgments(
 def filled_pauses(
     plan: SentencePlan, *, rng: OperatorDraws, lexicon: Lexicon
 ) -> SentencePlan | None:
-    """Hesitate: "Alice is, um, curious"; chatty speakers say "like" and "you know"."""
-    if plan.false_start or crowded(plan) or STUTTER in plan.words:
-        return None
+    """Hesitate: "Alice is, um, curious", "Alice… um, she never asks".
+
+    Chatty speakers say "like" and "you know".
+    """
+    if crowded(plan) or rng.has_said(STUTTER) or rng.has_said(FALSE_START):
+        return None  # one stumble is enough
     if plan.afterthought:
-        return None  # one doubt is enough: not "she, er, purrs, if I remember right"
+        return None  # and one doubt: not "she, er, purrs, if I remember right"
     for index, clause in enumerate(plan.clauses):
-        if clause.link not in ("main", "coordinate") or not pause_fits(clause):
+        if clause.link not in ("main", "coordinate") or clause.role == "recall":
             continue
-        if clause.role == "recall":
-            continue
-        places = ["pause"]
-        if index == 0 and opener_fits(plan):
-            places.append("answer" if plan.answers else "pause" if plan.first else "opener")
+        starting = index == 0 and start_fits(plan)
+        free = middle_free(clause)
+        places = ["pause"] if free or starting else []
+        if index == 0 and opener_fits(plan) and (plan.answers or not plan.first):
+            places.append("answer" if plan.answers else "opener")
         able = tuple(
             marker
             for marker in lexicon.markers["filled_pauses"]
             if marker.place in places
             and suits(marker, clause)
+            and (free or marker.lean < 0 or marker.place != "pause")
             # Nobody gropes for words and stresses them at once, nor says "like" twice, nor
             # "I think she, er, …".
             and not (marker.lean < 0 and (EMPHASIZED in clause.marks or clause.frame))
@@ -104,9 +112,12 @@ def filled_pauses(
             continue
         if marker.place != "pause":
             return with_opener(plan, marker)
+        if marker.lean < 0:
+            clause = clause._replace(marks=(*clause.marks, HEDGED))
+            if starting:
+                return replaced(plan, index, clause, marker.text)._replace(hesitation=marker.text)
         paused = clause.clause._replace(interruption=marker.text)
-        marks = (*clause.marks, HEDGED) if marker.lean < 0 else clause.marks
-        return replaced(plan, index, clause._replace(clause=paused, marks=marks), marker.text)
+        return replaced(plan, index, clause._replace(clause=paused), marker.text)
     return None
 
 
@@ -174,7 +185,7 @@ def tag_question(
     # What was just announced as news, or sworn to, is not asked back.
     if (rng.announced and plan.first) or any(opener.mark == "?" for opener in plan.openers):
         return None
-    if any(clause.clause.interruption for clause in plan.clauses):
+    if plan.hesitation or any(clause.clause.interruption for clause in plan.clauses):
         return None
     last = plan.clauses[-1]
     if last.link in ("object_relative", "subordinate") or last.clause.quotation:
@@ -294,7 +305,9 @@ def object_ellipsis(
     infinitive = lexicon.grammar.words.infinitive
     if not describes(first) or first.clause.adverbs or says(first.clause, infinitive):
         return None
-    return plan._replace(false_start=True)
+    if first.clause.negated or len(words_after_verb(first.clause)) < _WORTH_STARTING_AGAIN:
+        return None
+    return plan._replace(false_start=True, words=(*plan.words, FALSE_START))
 
 
 def _mentions(text: Text | None) -> bool:

@@ -6,6 +6,7 @@ polarity).
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Final
 
 from personage_lite.facts import TELLING_KINDS, Character, Fact, entity_of
@@ -33,9 +34,15 @@ class PlainClauses:
 
     def __init__(self, character: Character, lexicon: Lexicon) -> None:
         self.clauses = plain_clauses(character, lexicon)
+        self._following = following_clauses(character, self.clauses)
         self._topic = character.entity.id
         self._templates = lexicon.templates
         self._fitting: dict[tuple[str, str], tuple[Template, ...]] = {}
+
+    def clause(self, fact: str, before: str) -> ClausePlan:
+        """Return a fact's clause, as it is said right after the fact `before` it."""
+        said = self._following.get((before, fact))
+        return self.clauses[fact] if said is None else said
 
     def fitting(self, parameter: str, fact: str) -> tuple[Template, ...]:
         """Return a parameter's templates that a fact can be said in.
@@ -59,6 +66,17 @@ def plain_clauses(character: Character, lexicon: Lexicon) -> dict[str, ClausePla
     return {
         fact.id: _plain_clause(fact, lexicon, character.topics[fact.topic].in_order)
         for fact in character.facts
+    }
+
+
+def following_clauses(
+    character: Character, clauses: dict[str, ClausePlan]
+) -> dict[tuple[str, str], ClausePlan]:
+    """Return, by the fact before and the fact, the clauses that lean on what came just before."""
+    return {
+        (before.id, fact.id): clauses[fact.id]._replace(clause=fact.following, following=True)
+        for before, fact in pairwise(character.facts)
+        if fact.following is not None and fact.topic == before.topic
     }
 
 
@@ -144,7 +162,7 @@ def framed(plan: ClausePlan, template: Template, lexicon: Lexicon, topic: NounPh
         marks = (*marks, EMPHASIZED)
     if template.hedging:
         marks = (*marks, HEDGED)
-    return ClausePlan(clause, *plan[1:8], frame, *plan[9:11], marks, *plan[12:])
+    return ClausePlan(clause, *plan[1:8], frame, *plan[9:11], marks, *plan[12:14], plan.following)
 
 
 def select_templates(
@@ -163,6 +181,7 @@ def select_templates(
     opened = plan.rejection or plan.mitigation or plan.confirmation
     framed_before = opened or not topic_before
     since = _FRAMES_APART
+    before = ""
     offers = []
     for name in _PARAMETERS:
         probability = turn.probability(name)
@@ -171,7 +190,8 @@ def select_templates(
         if probability > 0.0:
             offers.append((name, probability, turn.draws.numbers(name, len(plan.messages))))
     for index, message in enumerate(plan.messages):
-        clause = plain.clauses[message.fact.id]
+        clause = plain.clause(message.fact.id, before if message.role == "assertion" else "")
+        before = message.fact.id
         if message.role != "assertion":
             # What was said before is not doubted now, nor cried out.
             marks = (*clause.marks, HEDGED) if message.role == "recall" else clause.marks

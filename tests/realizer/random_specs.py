@@ -246,6 +246,7 @@ class RandomSpecs:
             tag=self.one("", "", "auto", "right"),
             terminal=self.one("", ".", "!", "?", "…"),
             false_start=self.rarely(),
+            hesitation=self.one("", "", "", "um"),
         )
 
     def joined(self) -> Joined:
