@@ -14,12 +14,14 @@ from typing import TypeAlias
 import pytest
 
 from personage_lite import Generator
+from personage_lite.data import data_folder
+from personage_lite.facts_reader import character_files
 from personage_lite.plan import Utterance
 from personage_lite.realizer.specification import AdjectivePhrase, Clause, Embedded, Text
 
 XS = (-2, -1, 0, 1, 2)
 SEEDS = 2_000
-CHARACTERS = ("alice", "white_rabbit", "queen_of_hearts")
+CHARACTERS = tuple(character_files(data_folder("facts")))
 GENERATOR = Generator()
 LEXICON = GENERATOR.lexicon
 
@@ -29,7 +31,7 @@ Measure: TypeAlias = Callable[[Utterance], float]
 
 @pytest.fixture(scope="module")
 def sample() -> Sample:
-    """All utterances, by X; the character is the seed's remainder by three.
+    """All utterances, by X, of all characters in turn.
 
     A third of them are the first of their talk, a third the second and a third the third.
     """
@@ -37,7 +39,7 @@ def sample() -> Sample:
 
 
 def _said(x: float, seed: int) -> Utterance:
-    turns = GENERATOR.turns(CHARACTERS[seed % 3], x, seed, count=1 + seed // 3 % 3)
+    turns = GENERATOR.turns(CHARACTERS[seed % len(CHARACTERS)], x, seed, count=1 + seed // len(CHARACTERS) % 3)
     return list(turns)[-1]
 
 
@@ -250,17 +252,17 @@ RISING: list[tuple[Measure, float]] = [
     (word_count, 8.0),
     (fact_count, 1.2),
     (positive_words, 0.5),
-    (tags, 0.005),
-    (vocatives, 0.003),
+    (tags, 0.02),
+    (vocatives, 0.01),
     (exclamations, 0.8),
-    (emphasizers, 0.08),
+    (emphasizers, 0.12),
     (first_person, 0.15),
     (oaths, 0.07),
     (confirmations, 0.1),
 ]
 FALLING: list[tuple[Measure, float]] = [
     (softeners, 0.08),
-    (stutters, 0.01),
+    (stutters, 0.004),
     (hesitations, 0.015),
     (rejections, 0.002),
 ]
