@@ -229,12 +229,12 @@ class _Planner:
 def _finished(facts: list[Fact], count: int, choice: FactChoice) -> bool:
     """Whether one can stop after `count` facts or more, without a thought left unsaid.
 
-    One goes on rather than leave a topic's last fact to stand alone afterwards, and one fact longer
-    for the sake of what the last one explains or opposes.
+    One goes on, by a fact, rather than leave a topic's last one to stand alone afterwards, and by
+    two for the sake of what the last one explains or opposes.
     """
     last, more = facts[-1], len(facts) - count
     return not (
-        (more < count and choice.leaves_one(last)) or (more <= count and choice.unfinished(last))
+        (not more and choice.leaves_one(last)) or (more <= 1 and choice.unfinished(last))
     )
 
 

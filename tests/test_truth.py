@@ -86,8 +86,8 @@ class TestTheCheckerBites:
 
     def test_antonym_without_negation(self) -> None:
         """An antonym said of somebody as if it were a synonym is found out."""
-        said = self.said("kind")
-        antonym = self.generator.lexicon.adjectives["kind"].antonyms[0]
+        said = self.said("curious")
+        antonym = self.generator.lexicon.adjectives["curious"].antonyms[0]
         clause = _clause(said.sentences[0])._replace(complement=AdjectivePhrase(antonym))
         assert self.faults(_with_first_clause(said, clause))
 

@@ -269,7 +269,7 @@ def _stress_places(plan: SentencePlan, index: int) -> set[str]:
     weak = spec.verb in ("be", "have") or spec.quotation
     if not weak and middle_free(clause) and not any(map(_is_adverb, spec.adverbials)):
         places.add("middle")
-        if len(plan.clauses) == 1:
+        if len(plan.clauses) == 1 and clause.polarity != "neutral":
             places.add("alone")
     return places
 

@@ -145,9 +145,9 @@ def _oath(
         marker = rng.marker([m for m in lexicon.markers[kind] if m.place == "degree"])
         if marker is not None and rng.uniform("degree") < _BEFORE_ADJECTIVE:
             return replaced(plan, index, with_degree(clause, marker.text, EMPHASIZED), marker.text)
-    # One swears when one begins, or at what one feels; not in passing, nor for somebody else.
+    # One swears when one begins, not in passing; nor at how one loves what comes.
     begins = plan.first and not plan.answers
-    if plan.clauses[0].clause.quotation or not (begins or plan.clauses[0].frame):
+    if plan.clauses[0].clause.quotation or plan.clauses[0].frame or not begins:
         return None
     return _opener(plan, kind, ("opener",), rng, lexicon)
 
