@@ -233,9 +233,7 @@ def _finished(facts: list[Fact], count: int, choice: FactChoice) -> bool:
     two for the sake of what the last one explains or opposes.
     """
     last, more = facts[-1], len(facts) - count
-    return not (
-        (not more and choice.leaves_one(last)) or (more <= 1 and choice.unfinished(last))
-    )
+    return not ((not more and choice.leaves_one(last)) or (more <= 1 and choice.unfinished(last)))
 
 
 def _repeatable(messages: list[Message], index: int) -> bool:

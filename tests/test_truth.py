@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from personage_lite import Generator
@@ -86,10 +88,18 @@ class TestTheCheckerBites:
 
     def test_antonym_without_negation(self) -> None:
         """An antonym said of somebody as if it were a synonym is found out."""
-        said = self.said("curious")
-        antonym = self.generator.lexicon.adjectives["curious"].antonyms[0]
+        kind = Path(__file__).parent / "facts" / "wonderland"
+        teller = Generator(facts=kind)
+        said = next(
+            utterance
+            for utterance in teller.turns("alice", 0, 1, count=99, overrides=self.plain)
+            if utterance.facts == ("kind",)
+        )
+        about = teller.character("alice")
+        assert not truth_faults(said, about, teller.lexicon)
+        antonym = teller.lexicon.adjectives["kind"].antonyms[0]
         clause = _clause(said.sentences[0])._replace(complement=AdjectivePhrase(antonym))
-        assert self.faults(_with_first_clause(said, clause))
+        assert truth_faults(_with_first_clause(said, clause), about, teller.lexicon)
 
     def test_wrong_subject(self) -> None:
         """What Alice does, said of Dinah, is found out."""

@@ -172,11 +172,17 @@ def start_fits(plan: SentencePlan) -> bool:
     "The Hatter… um, he never washes up"; who is something hesitates before that instead.
     """
     spec = plan.clauses[0].clause
-    named = isinstance(spec.subject, NounPhrase) and spec.subject.entity != ""
+    named = isinstance(spec.subject, NounPhrase) and _one_known(spec.subject)
     begun = plan.openers or plan.connective or plan.answers or spec.preposed or spec.quotation
     if any(clause.link in ("fronted", "relative") for clause in plan.clauses):
         return False
     return named and spec.verb != "be" and plan.clauses[0].frame is None and not begun
+
+
+def _one_known(subject: NounPhrase) -> bool:
+    """Whether a phrase names somebody, or the one there is: not "a plate… um, it flies"."""
+    known = subject.determiner != "" or subject.noun[:1].isupper()
+    return known and subject.animate and subject.entity != ""
 
 
 def middle_free(clause: ClausePlan) -> bool:
