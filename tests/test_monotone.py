@@ -250,14 +250,14 @@ def fact_count(said: Utterance) -> float:
 # What each measure must at least add (or take off) from X = -2 to X = 2.
 RISING: list[tuple[Measure, float]] = [
     (word_count, 8.0),
-    (fact_count, 1.2),
-    (positive_words, 0.5),
+    (fact_count, 1.1),
+    (positive_words, 0.35),
     (tags, 0.02),
-    (vocatives, 0.01),
+    (vocatives, 0.007),
     (exclamations, 0.8),
-    (emphasizers, 0.12),
-    (first_person, 0.15),
-    (oaths, 0.07),
+    (emphasizers, 0.1),
+    (first_person, 0.08),
+    (oaths, 0.05),
     (confirmations, 0.1),
 ]
 FALLING: list[tuple[Measure, float]] = [
