@@ -146,6 +146,7 @@ def _soft_places(plan: SentencePlan, index: int, lexicon: Lexicon) -> set[str]:
         places.add("quantity")
     # Doubt belongs to judgements, not to plain neutral facts.
     free = clause.frame is None and HEDGED not in clause.marks and clause.polarity != "neutral"
+    free = free and clause.strength != "extremely"
     # Nor to what is said with "even" or "always".
     free = free and not clause.clause.adverbs
     if free and not clause.clause.quotation and not plan.afterthought:

@@ -17,6 +17,8 @@ from personage_lite.realizer.specification import AdjectivePhrase, Clause, Text
 MOST_CUED: Final = 3
 MOST_UNCUED: Final = 2
 _SHARED_SUBJECT: Final = 0.5
+# After more different words than these one has forgotten whose verb the next one is.
+_MOST_BETWEEN: Final = 6
 _OPPOSED: Final = (("good", "bad"), ("bad", "good"))
 
 
@@ -95,6 +97,7 @@ def coordinate(pair: Pair, cue: Marker, rng: OperatorDraws, most: int) -> Joint 
         and last.clause.tense == right.clause.tense
         # Not "… the Hatter and the Hare and laughs", nor "… and dozes off and dreams".
         and not (says(last.clause, cue.text) or says(right.clause, cue.text))
+        and len(words_after_verb(last.clause)) <= _MOST_BETWEEN
         and rng.uniform("shared_subject") < _SHARED_SUBJECT
     )
     fields = (*right[:5], "coordinate", cue.text, shared, *right[8:])

@@ -35,6 +35,8 @@ STUTTER: Final = "stutter"
 FALSE_START: Final = "false start"
 # One starts again only where there is something to search for: not "he is… he's shy".
 _WORTH_STARTING_AGAIN: Final = 3
+# What takes more different words is news, not a judgement that one can share.
+_SHORT_JUDGEMENT: Final = 5
 
 
 def _opener(
@@ -206,10 +208,11 @@ def tag_question(
     # Not "she's shy and thinks …, isn't she?", nor "he's too shy to …, isn't he?".
     going_on = {lexicon.grammar.words.infinitive}
     going_on.update(marker.text for marker in lexicon.markers["conjunction"])
-    if not going_on.isdisjoint(words_after_verb(spec)):
+    judgement = words_after_verb(spec)
+    if not going_on.isdisjoint(judgement) or len(judgement) > _SHORT_JUDGEMENT:
         return None
     # "Her husband is shy, isn't it?": of a part nobody knows who or what it is.
-    known = isinstance(spec.subject, NounPhrase) and spec.subject.entity != ""
+    known = _is_somebody(spec.subject)
     agreeing = known and (host.frame is None or host.frame.form == "clause")
     able = [
         marker
@@ -297,6 +300,8 @@ def object_ellipsis(
         return None
     if first.link != "main" or first.frame is not None or first.clause.interruption:
         return None
+    if not _is_somebody(first.clause.subject):
+        return None  # "her classics teacher was…" would be said all over again
     if first.clause.preposed:
         return None
     if any(clause.link == "relative" for clause in plan.clauses):
@@ -308,6 +313,10 @@ def object_ellipsis(
     if first.clause.negated or len(words_after_verb(first.clause)) < _WORTH_STARTING_AGAIN:
         return None
     return plan._replace(false_start=True, words=(*plan.words, FALSE_START))
+
+
+def _is_somebody(subject: Phrase | None) -> bool:
+    return isinstance(subject, NounPhrase) and subject.entity != ""
 
 
 def _mentions(text: Text | None) -> bool:
