@@ -39,7 +39,9 @@ def sample() -> Sample:
 
 
 def _said(x: float, seed: int) -> Utterance:
-    turns = GENERATOR.turns(CHARACTERS[seed % len(CHARACTERS)], x, seed, count=1 + seed // len(CHARACTERS) % 3)
+    turns = GENERATOR.turns(
+        CHARACTERS[seed % len(CHARACTERS)], x, seed, count=1 + seed // len(CHARACTERS) % 3
+    )
     return list(turns)[-1]
 
 

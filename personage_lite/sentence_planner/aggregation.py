@@ -135,7 +135,7 @@ def relative_clause(pair: Pair, *, rng: OperatorDraws, lexicon: Lexicon) -> Join
         return None
     if not same_subject(last, right) or pair.link.fixed_order or opposed(last, right):
         return None
-    if last.topic != right.topic or last.story or right.story:
+    if last.topic != right.topic or last.story or right.story or right.following:
         return None
     main, inner = last, right
     if describes(last) and not describes(right) and pair.link.kind != "elaboration":

@@ -18,7 +18,7 @@ MOST_CUED: Final = 3
 MOST_UNCUED: Final = 2
 _SHARED_SUBJECT: Final = 0.5
 # After more different words than these one has forgotten whose verb the next one is.
-_MOST_BETWEEN: Final = 6
+_MOST_BETWEEN: Final = 5
 _OPPOSED: Final = (("good", "bad"), ("bad", "good"))
 
 
