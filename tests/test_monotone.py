@@ -254,7 +254,7 @@ RISING: list[tuple[Measure, float]] = [
     (word_count, 8.0),
     (fact_count, 1.1),
     (positive_words, 0.35),
-    (tags, 0.02),
+    (tags, 0.012),
     (vocatives, 0.007),
     (exclamations, 0.8),
     (emphasizers, 0.1),
