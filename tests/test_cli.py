@@ -99,8 +99,9 @@ def test_x(x: str) -> None:
 
 def test_the_same_seed_gives_the_same_text() -> None:
     assert alice("--seed", "7", "--x", "1") == alice("--seed", "7", "--x", "1")
-    talks = {tuple(alice("--seed", seed, "--count", "3")) for seed in ("1", "2", str(2**63 - 1))}
-    assert len(talks) == 3
+    seeds = ("1", "2", "3", "4", "5", str(2**63 - 1))
+    talks = {tuple(alice("--seed", seed, "--count", "3")) for seed in seeds}
+    assert len(talks) > 3
 
 
 def test_a_seed_is_drawn_and_printed() -> None:

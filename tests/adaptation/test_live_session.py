@@ -31,7 +31,7 @@ def turns(lines: list[dict[str, Any]]) -> list[dict[str, Any]]:
 def test_x_follows_the_taste_and_its_change(tmp_path: Path, listener: str, before: float) -> None:
     """Over a few sessions; a single one can have bad luck with its sensor."""
     early, late = [], []
-    for seed in range(2, 6):
+    for seed in range(2, 10):
         folder = tmp_path / str(seed)
         folder.mkdir()
         lines = run(
